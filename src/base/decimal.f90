@@ -1,0 +1,115 @@
+!> Exact decimal numbers: what is punched on a card before any rounding, `digits * 10**power`.
+!> Tables are stepped in decimals, so that the fourth step of .1 is the number nearest to .4.
+module base_decimal
+    use base_error, only: cause, error_type, fail
+    use base_kinds, only: dp, i128, i64
+    implicit none (type, external)
+    private
+
+    public :: decimal_type, grid_type, new_grid, to_real
+
+    !> Largest power of ten of a decimal; beyond it a card field is refused as out of range.
+    integer, parameter, public :: largest_power = 280
+
+    !> An exact decimal number, `digits * 10**power`.
+    type :: decimal_type
+        integer(i64) :: digits = 0 !! signed whole number, at most 18 digits
+        integer :: power = 0       !! power of ten, `-largest_power` to `largest_power`
+    end type decimal_type
+
+    !> Stepped ordinates `start + k*step`, k any whole number, worked exactly.
+    type :: grid_type
+        private
+        integer(i128) :: start = 0  !! start in units of 10**power
+        integer(i128) :: step = 0   !! step in the same units
+        integer :: power = 0        !! the common power of ten
+    contains
+        procedure :: ordinate
+        procedure :: steps_to
+    end type grid_type
+
+    !> Powers of ten that a double holds exactly.
+    integer, parameter :: exact_powers = 22
+
+    interface to_real
+        module procedure decimal_to_real
+    end interface to_real
+
+contains
+
+    !> The double nearest to a decimal.
+    elemental real(dp) function decimal_to_real(d) result(x)
+        type(decimal_type), intent(in) :: d !! any decimal
+        x = scaled_real(int(d%digits, i128), d%power)
+    end function decimal_to_real
+
+    !> Puts start and step on a common power of ten.
+    !>
+    !> Fails with `cause%increment` where the step is zero, or where start and step are so far
+    !> apart in size that 30 digits don't hold both.
+    pure subroutine new_grid(start, step, grid, error)
+        type(decimal_type), intent(in) :: start             !! first ordinate, deck units
+        type(decimal_type), intent(in) :: step              !! increment, deck units, not zero
+        type(grid_type), intent(out) :: grid                !! the stepped ordinates
+        type(error_type), allocatable, intent(out) :: error !! see above
+        integer, parameter :: widest = 12
+
+        if (step%digits == 0) then
+            call fail(error, cause%increment, 'the increment is zero')
+            return
+        end if
+        grid%power = min(start%power, step%power)
+        if (start%digits == 0) grid%power = step%power
+        if (step%power - grid%power > widest .or. &
+            (start%digits /= 0 .and. start%power - grid%power > widest)) then
+            call fail(error, cause%increment, &
+                'the increment and the first ordinate are too far apart in size to step exactly')
+            return
+        end if
+        if (start%digits /= 0) then
+            grid%start = raised(start%digits, start%power - grid%power)
+        end if
+        grid%step = raised(step%digits, step%power - grid%power)
+    end subroutine new_grid
+
+    !> A whole number times a power of ten that 38 digits hold.
+    elemental integer(i128) function raised(digits, power)
+        integer(i64), intent(in) :: digits !! signed whole number, at most 18 digits
+        integer, intent(in) :: power       !! power of ten, 0 to 18
+        raised = int(digits, i128)*10_i128**int(power, i128)
+    end function raised
+
+    !> The double nearest to `start + k*step`.
+    elemental real(dp) function ordinate(grid, k)
+        class(grid_type), intent(in) :: grid !! the stepped ordinates
+        integer(i64), intent(in) :: k        !! which step, any sign
+        ordinate = scaled_real(grid%start + int(k, i128)*grid%step, grid%power)
+    end function ordinate
+
+    !> The number of steps from the start to a value, not rounded: start + steps_to*step = x.
+    elemental real(dp) function steps_to(grid, x)
+        class(grid_type), intent(in) :: grid !! the stepped ordinates
+        real(dp), intent(in) :: x            !! an ordinate, deck units
+        steps_to = (x - grid%ordinate(0_i64))/scaled_real(grid%step, grid%power)
+    end function steps_to
+
+    !> The double nearest to `digits * 10**power`: one exact quotient or product where both fit a
+    !> double exactly, else the runtime's correctly rounded read.
+    elemental real(dp) function scaled_real(digits, power) result(x)
+        integer(i128), intent(in) :: digits !! signed whole number
+        integer, intent(in) :: power        !! power of ten
+        character(64) :: text
+
+        if (abs(digits) < 2_i128**53 .and. abs(power) <= exact_powers) then
+            if (power < 0) then
+                x = real(digits, dp)/10.0_dp**(-power)
+            else
+                x = real(digits, dp)*10.0_dp**power
+            end if
+        else
+            write (text, '(i0,"e",i0)') digits, power
+            read (text, *) x
+        end if
+    end function scaled_real
+
+end module base_decimal

@@ -1,0 +1,136 @@
+!> Where finished text goes: a large buffer in front of a descriptor that `app` has opened, or, where
+!> there is none, a text kept in memory (tests read it there). Writers put lines and never ask which.
+!> The first failure is kept and later puts do nothing, so a writer need not look after each line.
+module base_output
+    use, intrinsic :: iso_c_binding, only: c_int, c_intptr_t, c_size_t
+    use base_error, only: cause, error_type, fail
+    use base_kinds, only: i64
+    use base_posix, only: c_write, last_error
+    implicit none (type, external)
+    private
+
+    public :: output_type
+
+    !> Bytes gathered before the system is asked to write.
+    integer, parameter :: buffer_size = 65536
+    !> The descriptor of an output that only gathers.
+    integer(c_int), parameter :: memory = -1
+
+    !> A place for text. As declared it gathers in memory; `attach` gives it a descriptor.
+    type :: output_type
+        private
+        integer(c_int) :: descriptor = memory
+        character(:), allocatable :: buffer
+        integer(i64) :: used = 0
+        character(:), allocatable :: trouble
+    contains
+        procedure :: attach
+        procedure :: put
+        procedure :: line
+        procedure :: flush => flush_output
+        procedure :: text => gathered_text
+        procedure :: has_failed
+    end type output_type
+
+contains
+
+    !> Sends what is put from now on to an open descriptor.
+    subroutine attach(out, descriptor)
+        class(output_type), intent(inout) :: out   !! the output
+        integer(c_int), intent(in) :: descriptor   !! open for writing
+        out%descriptor = descriptor
+    end subroutine attach
+
+    !> Puts text as it is.
+    subroutine put(out, text)
+        class(output_type), intent(inout) :: out !! the output
+        character(*), intent(in) :: text         !! any bytes
+
+        call make_room(out, len(text, i64))
+        if (allocated(out%trouble)) return
+        if (len(text, i64) > len(out%buffer, i64) - out%used) then
+            call write_all(out, text)
+        else
+            out%buffer(out%used + 1:out%used + len(text, i64)) = text
+            out%used = out%used + len(text, i64)
+        end if
+    end subroutine put
+
+    !> Puts a line: the text and a line feed.
+    subroutine line(out, text)
+        class(output_type), intent(inout) :: out !! the output
+        character(*), intent(in) :: text         !! the line
+        call out%put(text)
+        call out%put(new_line('a'))
+    end subroutine line
+
+    !> Hands everything to the system.
+    !>
+    !> Fails with `cause%file_trouble` and the system's words where any byte since the start could
+    !> not be written.
+    subroutine flush_output(out, error)
+        class(output_type), intent(inout) :: out            !! the output
+        type(error_type), allocatable, intent(out) :: error !! see above
+
+        if (out%descriptor /= memory) call empty(out)
+        if (allocated(out%trouble)) call fail(error, cause%file_trouble, out%trouble)
+    end subroutine flush_output
+
+    !> What an output in memory has gathered.
+    pure function gathered_text(out) result(text)
+        class(output_type), intent(in) :: out !! an output without descriptor
+        character(:), allocatable :: text
+        text = ''
+        if (allocated(out%buffer)) text = out%buffer(:out%used)
+    end function gathered_text
+
+    !> True where something could not be written; there is no use in going on.
+    pure logical function has_failed(out)
+        class(output_type), intent(in) :: out !! the output
+        has_failed = allocated(out%trouble)
+    end function has_failed
+
+    !> Makes room for some bytes: empties the buffer, or in memory lets it grow.
+    subroutine make_room(out, length)
+        class(output_type), intent(inout) :: out !! the output
+        integer(i64), intent(in) :: length       !! bytes to come
+        character(:), allocatable :: grown
+
+        if (.not. allocated(out%buffer)) allocate (character(buffer_size) :: out%buffer)
+        if (length <= len(out%buffer, i64) - out%used) return
+        if (out%descriptor /= memory) then
+            call empty(out)
+        else
+            allocate (character(2*len(out%buffer, i64) + length) :: grown)
+            grown(:out%used) = out%buffer(:out%used)
+            call move_alloc(grown, out%buffer)
+        end if
+    end subroutine make_room
+
+    !> Writes the buffer and leaves it empty.
+    subroutine empty(out)
+        class(output_type), intent(inout) :: out !! an output with a descriptor
+        if (out%used == 0) return
+        call write_all(out, out%buffer(:out%used))
+        out%used = 0
+    end subroutine empty
+
+    !> Writes every byte, however often the system takes only a part.
+    subroutine write_all(out, text)
+        class(output_type), intent(inout) :: out !! an output with a descriptor
+        character(*), intent(in) :: text         !! what to write
+        integer(c_intptr_t) :: taken
+        integer :: done
+
+        done = 0
+        do while (done < len(text) .and. .not. allocated(out%trouble))
+            taken = c_write(out%descriptor, text(done + 1:), int(len(text) - done, c_size_t))
+            if (taken < 0) then
+                out%trouble = last_error()
+            else
+                done = done + int(taken)
+            end if
+        end do
+    end subroutine write_all
+
+end module base_output

@@ -1,0 +1,74 @@
+!> Small deeds on text that Fortran leaves out: case, numbers as words, lists.
+module base_text
+    use base_kinds, only: dp, i64
+    implicit none (type, external)
+    private
+
+    public :: upper, to_text, compact, counted
+
+    interface to_text
+        module procedure integer_text, long_text
+    end interface to_text
+
+contains
+
+    !> The same text with a-z made A-Z; other bytes stay.
+    pure function upper(text) result(raised)
+        character(*), intent(in) :: text !! any text
+        character(len(text)) :: raised
+        integer :: i, letter
+        raised = text
+        do i = 1, len(text)
+            letter = iachar(text(i:i))
+            if (letter >= iachar('a') .and. letter <= iachar('z')) then
+                raised(i:i) = achar(letter - 32)
+            end if
+        end do
+    end function upper
+
+    !> A whole number in as few characters as it needs.
+    pure function integer_text(value) result(text)
+        integer, intent(in) :: value !! any whole number
+        character(:), allocatable :: text
+        text = long_text(int(value, i64))
+    end function integer_text
+
+    !> A long whole number in as few characters as it needs.
+    pure function long_text(value) result(text)
+        integer(i64), intent(in) :: value !! any whole number
+        character(:), allocatable :: text
+        character(24) :: field
+        write (field, '(i0)') value
+        text = trim(field)
+    end function long_text
+
+    !> A number for a sentence: up to seven figures, no trailing zeros (`12.5`, `-0.001`, `3.e+20`).
+    pure function compact(value) result(text)
+        real(dp), intent(in) :: value !! any number
+        character(:), allocatable :: text
+        character(32) :: field
+        integer :: last
+
+        if (abs(value) < 1.0e7_dp .and. (abs(value) >= 1.0e-4_dp .or. value == 0.0_dp)) then
+            write (field, '(f0.6)') value
+            last = verify(trim(field), '0', back=.true.)
+            text = field(:last)
+            if (text(1:1) == '.') text = '0'//text
+            if (text(1:1) == '-' .and. text(2:2) == '.') text = '-0'//text(2:)
+            if (text == '0.' .or. text == '-0.') text = '0.'
+        else
+            write (field, '(es12.5)') value
+            text = trim(adjustl(field))
+        end if
+    end function compact
+
+    !> A count with its noun: `1 card`, `2 cards`.
+    pure function counted(number, noun) result(text)
+        integer(i64), intent(in) :: number !! how many
+        character(*), intent(in) :: noun   !! what, in the singular; the plural adds an s
+        character(:), allocatable :: text
+        text = long_text(number)//' '//noun
+        if (number /= 1) text = text//'s'
+    end function counted
+
+end module base_text

@@ -1,0 +1,22 @@
+!> The tolerances of LOFT: each has a name, a unit and a reason. They are handed to the procedures
+!> that need them, or used there by name; no other module writes a small number of its own.
+module base_tolerances
+    use base_kinds, only: dp
+    implicit none (type, external)
+    private
+
+    !> Relative spacing of doubles at 1: the unit in the last place (ulp) of 1.
+    real(dp), parameter, public :: ulp = epsilon(1.0_dp)
+    !> How far, in ulp of the largest coordinate, decimals that were meant to be in one line or to
+    !> meet an extreme may miss it because binary can't hold them.
+    real(dp), parameter, public :: decimal_noise = 4.0_dp
+    !> Half the last decimal of a punched slope (F8.5): a slope this near to that of a straight
+    !> chord is the chord's slope, rounded. Radians.
+    real(dp), parameter, public :: slope_resolution = 0.5e-5_dp
+    !> How near the weight of a conic arc must be to 1 to call it a parabola, and how near the axes
+    !> of an ellipse to each other to call it a circle: round-off only. Relative.
+    real(dp), parameter, public :: type_tolerance = 1.0e-12_dp
+    !> Relative error asked of lengths, areas and volumes by quadrature.
+    real(dp), parameter, public :: quadrature_tolerance = 1.0e-11_dp
+
+end module base_tolerances
