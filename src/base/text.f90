@@ -1,10 +1,11 @@
 !> Small deeds on text that Fortran leaves out: case, numbers as words, lists.
 module base_text
+    use base_exact, only: is_zero
     use base_kinds, only: dp, i64
     implicit none (type, external)
     private
 
-    public :: upper, to_text, compact, counted
+    public :: upper, to_text, compact, counted, columns
 
     interface to_text
         module procedure integer_text, long_text
@@ -25,6 +26,16 @@ contains
             end if
         end do
     end function upper
+
+    !> Columns of a card image, with blanks where it is shorter.
+    pure function columns(image, first, last) result(text)
+        character(*), intent(in) :: image !! any text
+        integer, intent(in) :: first      !! first column, from 1
+        integer, intent(in) :: last       !! last column
+        character(last - first + 1) :: text
+        text = ''
+        if (first <= len(image)) text = image(first:min(last, len(image)))
+    end function columns
 
     !> A whole number in as few characters as it needs.
     pure function integer_text(value) result(text)
@@ -49,7 +60,7 @@ contains
         character(32) :: field
         integer :: last
 
-        if (abs(value) < 1.0e7_dp .and. (abs(value) >= 1.0e-4_dp .or. value == 0.0_dp)) then
+        if (abs(value) < 1.0e7_dp .and. (abs(value) >= 1.0e-4_dp .or. is_zero(value))) then
             write (field, '(f0.6)') value
             last = verify(trim(field), '0', back=.true.)
             text = field(:last)

@@ -1,0 +1,208 @@
+!> The conic card of 1970: three points, two slopes, two increments (SAE 700202, appendix A).
+!>
+!>     1       9       17      25      33      41      49      57      65    71    77
+!>     X1      Y1      S1      X2      Y2      X3      Y3      S3      XI    YI    ITYP
+!>     -30.    -10.    .114    0.      -7.1    50.     -4.     .0523   5.
+!>
+!> A card is read whole: every fault of it is reported, not only the first.
+module deck_conic_card
+    use base_decimal, only: decimal_type, to_real
+    use base_fault, only: fault_list_type, new_fault, severity
+    use base_kinds, only: dp, i64
+    use base_text, only: columns, compact, to_text
+    use deck_layout, only: card_columns, conic, conic_fields, field_layout_type
+    use deck_number, only: number_type, read_number
+    use deck_source, only: kept_length, line_type
+    implicit none (type, external)
+    private
+
+    public :: conic_card_type, read_conic_card, ends_deck
+
+    !> An X1 from here on ends a 1970 deck.
+    real(dp), parameter :: end_of_deck = 999.99_dp
+
+    !> One conic, as punched.
+    type :: conic_card_type
+        character(:), allocatable :: label      !! the comment right before the card, or nothing
+        character(card_columns) :: image = ''   !! the 80 columns
+        integer(i64) :: line = 0                !! line of the file
+        integer(i64) :: count = 0               !! which data card of the deck, from 1
+        type(decimal_type) :: value(10)         !! X1 Y1 S1 X2 Y2 X3 Y3 S3 XI YI, exact
+        integer :: ityp = 0                     !! not zero: a Y table is wanted
+        logical :: is_readable = .false.        !! every field was a number
+        logical :: is_sound = .false.           !! no error was found on the card
+    contains
+        procedure :: real => real_field
+        procedure :: wants_x_table
+        procedure :: wants_y_table
+    end type conic_card_type
+
+contains
+
+    !> Reads a conic card. Every fault of it is added to the list.
+    subroutine read_conic_card(line, card, faults)
+        type(line_type), intent(in) :: line             !! the line of the deck, not empty
+        type(conic_card_type), intent(inout) :: card    !! label and count stay, all else is set
+        type(fault_list_type), intent(inout) :: faults  !! what is wrong with it is added
+        type(number_type) :: number
+        integer :: i, before
+
+        before = faults%count
+        card%image = line%text
+        card%line = line%number
+        call check_columns(line, faults)
+        card%is_readable = index(line%text, achar(9)) == 0
+        if (card%is_readable) then
+            do i = 1, size(card%value)
+                call read_field(conic_fields(i), card, number, faults)
+                card%value(i) = number%value
+            end do
+            call read_field(conic_fields(conic%ityp), card, number, faults)
+            card%ityp = int(number%value%digits)
+        end if
+        if (card%is_readable) call check_points(card, faults)
+        call faults%place(before, line%number, line%text)
+        card%is_sound = .not. faults%has_errors(before)
+    end subroutine read_conic_card
+
+    !> Reads one field of a card; a fault makes the card unreadable.
+    subroutine read_field(field, card, number, faults)
+        type(field_layout_type), intent(in) :: field    !! the field
+        type(conic_card_type), intent(inout) :: card    !! the card
+        type(number_type), intent(out) :: number        !! what was read
+        type(fault_list_type), intent(inout) :: faults  !! what is wrong is added
+
+        number = read_number(columns(card%image, field%first, field%last), &
+            merge(-1, field%decimals, field%form == 'I'))
+        call field_faults(field, number, faults)
+        card%is_readable = card%is_readable .and. number%first == 0
+    end subroutine read_field
+
+    !> True for the card that ends a 1970 deck: X1 is a number of 999.99 or more.
+    pure logical function ends_deck(line)
+        type(line_type), intent(in) :: line !! the line of the deck
+        type(number_type) :: number
+
+        associate (field => conic_fields(conic%x1))
+            number = read_number(columns(line%text, field%first, field%last), field%decimals)
+            ends_deck = number%first == 0 .and. to_real(number%value) >= end_of_deck
+        end associate
+    end function ends_deck
+
+    !> A field of the card as a double: the nearest to what was punched.
+    elemental real(dp) function real_field(card, field)
+        class(conic_card_type), intent(in) :: card !! the card
+        integer, intent(in) :: field               !! one of `conic%x1` to `conic%yi`
+        real_field = to_real(card%value(field))
+    end function real_field
+
+    !> True where a table by steps of X is asked for: XI is not zero, or it is and nothing else is
+    !> asked for, which is then a fault.
+    elemental logical function wants_x_table(card)
+        class(conic_card_type), intent(in) :: card !! the card
+        wants_x_table = card%value(conic%xi)%digits /= 0 .or. card%ityp == 0
+    end function wants_x_table
+
+    !> True where a table by steps of Y is asked for.
+    elemental logical function wants_y_table(card)
+        class(conic_card_type), intent(in) :: card !! the card
+        wants_y_table = card%ityp /= 0
+    end function wants_y_table
+
+    !> Faults of the card as a row of columns: tabs, control bytes, more than 80 columns.
+    subroutine check_columns(line, faults)
+        type(line_type), intent(in) :: line             !! the line of the deck
+        type(fault_list_type), intent(inout) :: faults  !! what is wrong is added
+        integer :: i
+
+        i = index(line%text, achar(9))
+        if (i > 0) call faults%add(new_fault(severity%error, i, i, &
+            'a tab on a card; fields go by columns, so put blanks in its place'))
+        if (len_trim(line%text) <= card_columns .and. line%length <= kept_length) return
+        call faults%add(new_fault(severity%error, card_columns + 1, len(line%text), &
+            'text beyond column '//to_text(card_columns)//'; a card has '// &
+            to_text(card_columns)//' columns, the last two free for a sequence number'))
+    end subroutine check_columns
+
+    !> Faults of one field, and remarks where it is read as 1970 read it and not as it looks.
+    subroutine field_faults(field, number, faults)
+        type(field_layout_type), intent(in) :: field    !! the field
+        type(number_type), intent(in) :: number         !! what was read in it
+        type(fault_list_type), intent(inout) :: faults  !! what is wrong is added
+        character(:), allocatable :: name, reason
+
+        name = trim(field%name)
+        if (number%first > 0) then
+            call faults%add(new_fault(severity%error, field%first + number%first - 1, &
+                field%first + number%last - 1, name//': '//number%trouble))
+            return
+        end if
+        if (number%is_blank .or. field%form == 'I') return
+        reason = ''
+        if (.not. number%has_point .and. number%value%digits /= 0) then
+            reason = 'no point was punched, so the last '//to_text(field%decimals)// &
+                ' columns are decimals'
+        end if
+        if (number%has_filled_blank .and. number%value%digits /= 0) then
+            if (reason /= '') reason = reason//' and '
+            reason = reason//'a blank after a figure is a zero'
+        end if
+        if (reason == '') return
+        call faults%add(new_fault(severity%remark, field%first, field%last, &
+            name//' is read as '//compact(to_real(number%value))//': '//reason))
+    end subroutine field_faults
+
+    !> Faults of the points and increments against each other, worked in exact decimals.
+    subroutine check_points(card, faults)
+        type(conic_card_type), intent(in) :: card       !! a readable card
+        type(fault_list_type), intent(inout) :: faults  !! what is wrong is added
+
+        call check_pair(card, conic%x1, conic%x2, '1 and 2', faults)
+        call check_pair(card, conic%x1, conic%x3, '1 and 3', faults)
+        call check_pair(card, conic%x2, conic%x3, '2 and 3', faults)
+        if (card%wants_x_table()) call check_increment(card, conic%xi, conic%x1, conic%x3, faults)
+        if (card%wants_y_table()) call check_increment(card, conic%yi, conic%y1, conic%y3, faults)
+    end subroutine check_points
+
+    !> Two of the three points must not be one.
+    subroutine check_pair(card, a, b, names, faults)
+        type(conic_card_type), intent(in) :: card       !! a readable card
+        integer, intent(in) :: a                        !! field of the first point's X
+        integer, intent(in) :: b                        !! field of the second point's X
+        character(*), intent(in) :: names               !! the points in words
+        type(fault_list_type), intent(inout) :: faults  !! what is wrong is added
+        real(dp) :: p(2), q(2)
+
+        p = card%real([a, a + 1])
+        q = card%real([b, b + 1])
+        if (any(abs(p - q) > 0.0_dp)) return
+        call faults%add(new_fault(severity%error, conic_fields(b)%first, conic_fields(b + 1)%last, &
+            'points '//names//' coincide; three different points fix a conic'))
+    end subroutine check_pair
+
+    !> An increment must be able to step from point 1 to point 3.
+    subroutine check_increment(card, step, from, to, faults)
+        type(conic_card_type), intent(in) :: card       !! a readable card
+        integer, intent(in) :: step                     !! field of the increment
+        integer, intent(in) :: from                     !! field of the ordinate of point 1
+        integer, intent(in) :: to                       !! field of the ordinate of point 3
+        type(fault_list_type), intent(inout) :: faults  !! what is wrong is added
+        character(:), allocatable :: trouble
+        real(dp) :: way
+
+        way = card%real(to) - card%real(from)
+        associate (field => conic_fields(step), name => trim(conic_fields(step)%name))
+            if (card%value(step)%digits == 0) then
+                trouble = name//' is zero where a table is asked for; punch an increment'
+                if (step == conic%xi) trouble = trouble//', or ITYP and YI for a Y table alone'
+            else if (way*card%real(step) < 0.0_dp) then
+                trouble = name//' has the wrong sign; from '//compact(card%real(from))//' to '// &
+                    compact(card%real(to))//' it is '//merge('positive', 'negative', way > 0.0_dp)
+            else
+                return
+            end if
+            call faults%add(new_fault(severity%error, field%first, field%last, trouble))
+        end associate
+    end subroutine check_increment
+
+end module deck_conic_card

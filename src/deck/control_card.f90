@@ -1,0 +1,146 @@
+!> The cards with a word in front that may begin a deck of either kind: TITLE and UNITS.
+!>
+!>     1       9
+!>     TITLE   NOSE OF APPENDIX B
+!>     UNITS   INCHES
+module deck_control_card
+    use base_fault, only: fault_list_type, new_fault, severity
+    use base_text, only: columns, to_text, upper
+    use deck_layout, only: card_columns, title_fields, units_fields
+    use deck_source, only: line_type
+    implicit none (type, external)
+    private
+
+    public :: heading_type, begins_with_word, card_word, read_heading_card
+
+    !> What the cards before the first other card say.
+    type :: heading_type
+        character(:), allocatable :: title  !! text of the TITLE card
+        character(:), allocatable :: units  !! INCHES, MM or FEET
+        logical :: has_title = .false.      !! a TITLE card was met
+        logical :: has_units = .false.      !! a UNITS card was met
+    end type heading_type
+
+    character(*), parameter :: letters = 'ABCDEFGHIJKLMNOPQRSTUVWXYZ'
+
+contains
+
+    !> True where the first columns hold a word, not a number: two letters side by side begin it.
+    !> (`O.5` is a number with a slip in it.)
+    pure logical function begins_with_word(line)
+        type(line_type), intent(in) :: line !! a line of the deck
+        character(8) :: field
+        field = adjustl(columns(line%text, 1, 8))
+        begins_with_word = verify(upper(field(1:2)), letters) == 0
+    end function begins_with_word
+
+    !> The word a card begins with, in capitals: what stands before the first blank or comma.
+    pure function card_word(line) result(word)
+        type(line_type), intent(in) :: line !! a line of the deck that begins with a word
+        character(:), allocatable :: word
+        integer :: last
+        word = upper(adjustl(columns(line%text, 1, card_columns)))
+        last = scan(word//' ', ' ,'//achar(9)) - 1
+        word = word(:last)
+    end function card_word
+
+    !> Reads a TITLE or UNITS card.
+    subroutine read_heading_card(line, heading, faults)
+        type(line_type), intent(in) :: line             !! a line that begins with TITLE or UNITS
+        type(heading_type), intent(inout) :: heading    !! what it says is put here
+        type(fault_list_type), intent(inout) :: faults  !! what is wrong with it is added
+        integer :: before, bad
+
+        before = faults%count
+        bad = scan(line%text, control_bytes())
+        if (bad > 0) call faults%add(new_fault(severity%error, bad, bad, &
+            'a tab or control byte on a card; put blanks in its place'))
+        if (upper(line%text(1:1)) == 'T') then
+            call read_title(line, heading, faults)
+        else
+            call read_units(line, heading, faults)
+        end if
+        call faults%place(before, line%number, line%text)
+    end subroutine read_heading_card
+
+    !> Reads a TITLE card.
+    subroutine read_title(line, heading, faults)
+        type(line_type), intent(in) :: line             !! the line
+        type(heading_type), intent(inout) :: heading    !! gets the title
+        type(fault_list_type), intent(inout) :: faults  !! what is wrong with it is added
+
+        call check_field('TITLE', title_fields(2)%first, line, heading%has_title, faults)
+        if (characters(trim(line%text)) > card_columns) then
+            call faults%add(new_fault(severity%error, card_columns + 1, len_trim(line%text), &
+                'text beyond column '//to_text(card_columns)//'; shorten the title'))
+        end if
+        heading%has_title = .true.
+        heading%title = trim(columns(line%text, title_fields(2)%first, len(line%text)))
+    end subroutine read_title
+
+    !> Reads a UNITS card.
+    subroutine read_units(line, heading, faults)
+        type(line_type), intent(in) :: line             !! the line
+        type(heading_type), intent(inout) :: heading    !! gets the unit
+        type(fault_list_type), intent(inout) :: faults  !! what is wrong with it is added
+        character(:), allocatable :: text
+
+        call check_field('UNITS', units_fields(2)%first, line, heading%has_units, faults)
+        heading%has_units = .true.
+        associate (field => units_fields(2))
+            text = upper(columns(line%text, field%first, field%last))
+            if (len_trim(line%text) > field%last) then
+                call faults%add(new_fault(severity%error, field%last + 1, len_trim(line%text), &
+                    'text outside the columns; the unit stands in columns 9-16'))
+            end if
+            select case (text)
+            case ('INCHES', 'MM', 'FEET')
+                heading%units = trim(text)
+            case default
+                call faults%add(new_fault(severity%error, field%first, field%last, &
+                    'the unit is INCHES, MM or FEET, from column 9 on'))
+            end select
+        end associate
+    end subroutine read_units
+
+    !> The word must be in column 1, alone before its text, and its card the first of its kind.
+    subroutine check_field(word, first, line, is_second, faults)
+        character(*), intent(in) :: word                !! TITLE or UNITS
+        integer, intent(in) :: first                    !! column where its text begins
+        type(line_type), intent(in) :: line             !! the line
+        logical, intent(in) :: is_second                !! one has been met before
+        type(fault_list_type), intent(inout) :: faults  !! what is wrong with it is added
+        character(8) :: field
+
+        field = line%text
+        if (upper(field) /= word) then
+            call faults%add(new_fault(severity%error, 1, first - 1, 'the word '//word// &
+                ' stands in columns 1-5 and its text from column '//to_text(first)//' on'))
+        end if
+        if (is_second) then
+            call faults%add(new_fault(severity%error, 1, len(word), &
+                'a second '//word//' card; a deck has one'))
+        end if
+    end subroutine check_field
+
+    !> Characters of a text in UTF-8: bytes that don't continue one.
+    pure integer function characters(text)
+        character(*), intent(in) :: text !! any text
+        integer :: i
+        characters = 0
+        do i = 1, len(text)
+            if (iand(ichar(text(i:i)), 192) /= 128) characters = characters + 1
+        end do
+    end function characters
+
+    !> The bytes below blank, and delete.
+    pure function control_bytes() result(bytes)
+        character(33) :: bytes
+        integer :: i
+        do i = 0, 31
+            bytes(i + 1:i + 1) = achar(i)
+        end do
+        bytes(33:33) = achar(127)
+    end function control_bytes
+
+end module deck_control_card

@@ -1,0 +1,228 @@
+!> A number in the columns of a field, read as the FORTRAN of 1970 read it under F and I formats:
+!> a punched point wins over the implied one, a blank after the first figure is a zero, a blank field
+!> is zero, an exponent may follow as `E`, `D` or a bare sign.
+module deck_number
+    use base_decimal, only: decimal_type, largest_power
+    use base_kinds, only: i64
+    use base_text, only: to_text, upper
+    implicit none (type, external)
+    private
+
+    public :: number_type, read_number
+
+    !> What a field was read as.
+    type :: number_type
+        type(decimal_type) :: value             !! the number, exact
+        logical :: is_blank = .false.           !! nothing was punched
+        logical :: has_point = .false.          !! a point was punched
+        logical :: has_filled_blank = .false.   !! a blank that counts as a zero changes the number
+        logical :: has_exponent = .false.       !! an exponent was punched
+        integer :: first = 0                    !! first character at fault; 0: the field is sound
+        integer :: last = 0                     !! last character at fault
+        character(:), allocatable :: trouble    !! what is wrong with it
+    end type number_type
+
+    !> Figures that a number may have.
+    integer, parameter :: most_figures = 18
+    !> Exponents are gathered no further than this.
+    integer, parameter :: exponent_bound = 100000
+
+    !> Where the reader is in a number.
+    type :: stage_list
+        integer :: before = 1   !! only blanks so far
+        integer :: signed = 2   !! a sign, no figure yet
+        integer :: figures = 3  !! in the figures
+        integer :: power = 4    !! in the exponent
+    end type stage_list
+    type(stage_list), parameter :: stage = stage_list()
+
+    !> A number half read.
+    type :: state_type
+        integer :: at = 1               !! one of `stage%...`
+        integer :: figures = 0          !! figures met, leading zeros not counted
+        integer :: met = 0              !! figures punched, leading zeros counted
+        integer :: decimals = 0         !! figures behind a punched point
+        integer :: sign = 1             !! of the number
+        integer :: exponent = 0         !! size of the exponent
+        integer :: exponent_sign = 1    !! of the exponent
+        integer :: exponent_digits = 0  !! digits met in the exponent
+        integer :: blanks = 0           !! blanks met since the last other character
+    end type state_type
+
+contains
+
+    !> Reads a field. Where it is no number, `first`, `last` and `trouble` say why, and the value is
+    !> zero. `implied` is the number of decimals without a punched point (F8.3: 3); a negative one
+    !> asks for a whole number (I format), where a point is a fault.
+    pure function read_number(field, implied) result(number)
+        character(*), intent(in) :: field !! the columns of the field
+        integer, intent(in) :: implied    !! implied decimals, or -1 for a whole number
+        type(number_type) :: number
+        type(state_type) :: state
+        integer :: i, last
+
+        number%is_blank = field == ''
+        if (number%is_blank) return
+        last = len_trim(field)
+        do i = 1, len(field)
+            call take(number, state, upper(field(i:i)), i, implied < 0)
+            if (number%first > 0) return
+        end do
+        if (state%met == 0) then
+            call blame(number, 1, last, 'there is no figure in the number')
+        else if (state%at == stage%power .and. state%exponent_digits == 0) then
+            call blame(number, last, last, 'the exponent has no figures')
+        else
+            call settle(number, state, max(implied, 0), last)
+        end if
+    end function read_number
+
+    !> Takes one character of a number.
+    pure subroutine take(number, state, letter, i, is_whole)
+        type(number_type), intent(inout) :: number !! the number so far
+        type(state_type), intent(inout) :: state   !! where its reading stands
+        character, intent(in) :: letter            !! the character, upper case
+        integer, intent(in) :: i                   !! its place in the field
+        logical, intent(in) :: is_whole            !! a point is not allowed
+
+        select case (letter)
+        case (' ')
+            if (state%at >= stage%figures) call take_digit(number, state, 0, i)
+            if (state%at >= stage%figures) state%blanks = state%blanks + 1
+        case ('0':'9')
+            if (state%blanks > 0) number%has_filled_blank = .true.
+            call take_digit(number, state, iachar(letter) - iachar('0'), i)
+            if (state%at < stage%figures) state%at = stage%figures
+            state%met = state%met + merge(1, 0, state%at == stage%figures)
+        case ('.')
+            call take_point(number, state, i, is_whole)
+        case ('+', '-')
+            call take_sign(number, state, merge(-1, 1, letter == '-'), i)
+        case ('E', 'D')
+            if (state%at /= stage%figures) then
+                call blame(number, i, i, 'the exponent letter stands where no figure is before it')
+            else
+                state%at = stage%power
+                number%has_exponent = .true.
+            end if
+        case default
+            call blame(number, i, i, stranger(letter))
+        end select
+    end subroutine take
+
+    !> Takes a digit, punched or a blank that counts as zero, into the figures or the exponent.
+    pure subroutine take_digit(number, state, digit, i)
+        type(number_type), intent(inout) :: number !! the number so far
+        type(state_type), intent(inout) :: state   !! where its reading stands
+        integer, intent(in) :: digit               !! 0 to 9
+        integer, intent(in) :: i                   !! its place in the field
+
+        if (state%at == stage%power) then
+            state%exponent = min(10*state%exponent + digit, exponent_bound)
+            state%exponent_digits = state%exponent_digits + 1
+            return
+        end if
+        if (state%figures > 0 .or. digit > 0) state%figures = state%figures + 1
+        if (state%figures > most_figures) then
+            call blame(number, i, i, 'the number has more than '//to_text(most_figures)//' figures')
+            return
+        end if
+        number%value%digits = 10*number%value%digits + int(digit, i64)
+        if (number%has_point) state%decimals = state%decimals + 1
+    end subroutine take_digit
+
+    !> Takes the decimal point.
+    pure subroutine take_point(number, state, i, is_whole)
+        type(number_type), intent(inout) :: number !! the number so far
+        type(state_type), intent(inout) :: state   !! where its reading stands
+        integer, intent(in) :: i                   !! its place in the field
+        logical, intent(in) :: is_whole            !! a point is not allowed
+
+        if (is_whole) then
+            call blame(number, i, i, 'a point in a whole number')
+        else if (state%at == stage%power) then
+            call blame(number, i, i, 'a point in the exponent')
+        else if (number%has_point) then
+            call blame(number, i, i, 'a second point in the number')
+        else
+            if (state%blanks > 0) number%has_filled_blank = .true.
+            state%blanks = 0
+            number%has_point = .true.
+            state%at = stage%figures
+        end if
+    end subroutine take_point
+
+    !> Takes a sign: of the number, of the exponent, or a bare one that begins the exponent.
+    pure subroutine take_sign(number, state, sign, i)
+        type(number_type), intent(inout) :: number !! the number so far
+        type(state_type), intent(inout) :: state   !! where its reading stands
+        integer, intent(in) :: sign                !! 1 or -1
+        integer, intent(in) :: i                   !! its place in the field
+
+        if (state%at == stage%before) then
+            state%sign = sign
+            state%at = stage%signed
+        else if (state%at == stage%figures .and. state%met > 0) then
+            state%exponent_sign = sign
+            state%at = stage%power
+            number%has_exponent = .true.
+        else if (state%at == stage%power .and. state%exponent_digits == 0) then
+            state%exponent_sign = sign
+        else
+            call blame(number, i, i, 'a sign inside the number')
+        end if
+    end subroutine take_sign
+
+    !> Puts sign, point and exponent together.
+    pure subroutine settle(number, state, implied, last)
+        type(number_type), intent(inout) :: number !! the figures taken
+        type(state_type), intent(in) :: state      !! all that was read
+        integer, intent(in) :: implied             !! decimals without a punched point
+        integer, intent(in) :: last                !! last character punched
+
+        number%value%digits = int(state%sign, i64)*number%value%digits
+        number%value%power = state%exponent_sign*state%exponent &
+            - merge(state%decimals, implied, number%has_point)
+        number%has_filled_blank = number%has_filled_blank .or. &
+            (state%blanks > 0 .and. (.not. number%has_point .or. number%has_exponent))
+        if (number%value%digits == 0) number%value%power = 0
+        if (abs(number%value%power) > largest_power) then
+            call blame(number, 1, last, 'the number is out of range')
+        end if
+    end subroutine settle
+
+    !> Notes what is wrong and takes the value back.
+    pure subroutine blame(number, first, last, trouble)
+        type(number_type), intent(inout) :: number !! the number at fault
+        integer, intent(in) :: first               !! first character at fault
+        integer, intent(in) :: last                !! last character at fault
+        character(*), intent(in) :: trouble        !! what is wrong
+        number%value = decimal_type()
+        number%first = first
+        number%last = last
+        number%trouble = trouble
+    end subroutine blame
+
+    !> Words for a character that no number has, with the likely slip.
+    pure function stranger(letter) result(words)
+        character, intent(in) :: letter !! the character, upper case
+        character(:), allocatable :: words
+        character(2) :: code
+
+        select case (letter)
+        case ('O')
+            words = 'the letter O in a number; the figure is 0'
+        case ('I', 'L')
+            words = 'the letter '//letter//' in a number; the figure is 1'
+        case (',')
+            words = 'a comma in a number; the point is a full stop and fields go by columns'
+        case ('!':'+', '/', ':':'C', 'F':'H', 'J', 'K', 'M', 'N', 'P':'~')
+            words = ''''//letter//''' in a number; figures, a sign, a point and an exponent are read'
+        case default
+            write (code, '(z2.2)') ichar(letter)
+            words = 'byte '//code//' (hexadecimal) in a number; only plain ASCII figures, signs and &
+                &points are read'
+        end select
+    end function stranger
+
+end module deck_number

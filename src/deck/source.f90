@@ -1,0 +1,140 @@
+!> Lines of a deck as they arrive: bytes from a descriptor that `app` has opened, cut at line feeds.
+!> Only one line is held, and of that no more than any card can use, so memory stays the same
+!> however long the deck or the line.
+!>
+!> A carriage return before the line feed and a byte order mark at the very start belong to the
+!> file, not to a card, and are taken off. A last line without line feed counts.
+module deck_source
+    use, intrinsic :: iso_c_binding, only: c_int, c_intptr_t, c_size_t
+    use base_error, only: cause, error_type, fail
+    use base_kinds, only: i64
+    use base_posix, only: c_read, last_error
+    implicit none (type, external)
+    private
+
+    public :: source_type, line_type
+
+    !> Bytes asked of the system at a time.
+    integer, parameter :: block_size = 65536
+    !> Bytes of a line that are kept; the rest is only counted.
+    integer, parameter, public :: kept_length = 1024
+    !> Descriptor of a source that is a text in memory.
+    integer(c_int), parameter :: memory = -1
+
+    !> One line of a file.
+    type :: line_type
+        character(:), allocatable :: text   !! the first `kept_length` bytes
+        integer(i64) :: number = 0          !! line of the file, from 1
+        integer(i64) :: length = 0          !! bytes in the whole line
+        logical :: has_null = .false.       !! a null byte was met: this is no text file
+    end type line_type
+
+    !> Where the lines come from.
+    type :: source_type
+        private
+        integer(c_int) :: descriptor = memory
+        character(:), allocatable :: block
+        integer(i64) :: next = 1
+        integer(i64) :: filled = 0
+        integer(i64) :: lines = 0
+        logical :: at_end = .false.
+        character(:), allocatable :: trouble
+    contains
+        procedure :: attach
+        procedure :: from_text
+        procedure :: next_line
+    end type source_type
+
+contains
+
+    !> Takes lines from an open descriptor.
+    subroutine attach(source, descriptor)
+        class(source_type), intent(inout) :: source !! the source
+        integer(c_int), intent(in) :: descriptor    !! open for reading
+        source%descriptor = descriptor
+        allocate (character(block_size) :: source%block)
+    end subroutine attach
+
+    !> Takes lines from a text in memory.
+    subroutine from_text(source, text)
+        class(source_type), intent(inout) :: source !! the source
+        character(*), intent(in) :: text            !! lines with line feeds between them
+        source%block = text
+        source%filled = len(text, i64)
+    end subroutine from_text
+
+    !> Reads the next line.
+    !>
+    !> Fails with `cause%file_trouble` and the system's words where the source can't be read.
+    subroutine next_line(source, line, found, error)
+        class(source_type), intent(inout) :: source         !! the source
+        type(line_type), intent(out) :: line                !! the line, where one was found
+        logical, intent(out) :: found                       !! false after the last line
+        type(error_type), allocatable, intent(out) :: error !! see above
+        integer(i64) :: last, cut
+
+        line%text = ''
+        found = .false.
+        do
+            if (source%next > source%filled) call refill(source)
+            if (source%at_end) exit
+            found = .true.
+            cut = index(source%block(source%next:source%filled), new_line('a'), kind=i64)
+            last = merge(source%next + cut - 2, source%filled, cut > 0)
+            call gather(line, source%block(source%next:last))
+            source%next = last + merge(2_i64, 1_i64, cut > 0)
+            if (cut > 0 .or. line%has_null) exit
+        end do
+        if (allocated(source%trouble)) call fail(error, cause%file_trouble, source%trouble)
+        if (.not. found) return
+        source%lines = source%lines + 1
+        line%number = source%lines
+        call strip(line)
+    end subroutine next_line
+
+    !> Asks the system for more bytes.
+    subroutine refill(source)
+        class(source_type), intent(inout) :: source !! the source
+        integer(c_intptr_t) :: got
+
+        source%next = 1
+        source%filled = 0
+        if (source%descriptor /= memory .and. .not. source%at_end) then
+            got = c_read(source%descriptor, source%block, int(block_size, c_size_t))
+            if (got < 0) source%trouble = last_error()
+            source%filled = max(0_i64, int(got, i64))
+        end if
+        source%at_end = source%filled == 0
+    end subroutine refill
+
+    !> Adds a piece to a line: the text as far as it is kept, the length in full.
+    pure subroutine gather(line, piece)
+        type(line_type), intent(inout) :: line !! the line so far
+        character(*), intent(in) :: piece      !! what follows
+        integer(i64) :: room
+
+        room = max(0_i64, kept_length - line%length)
+        line%text = line%text//piece(:min(room, len(piece, i64)))
+        line%length = line%length + len(piece, i64)
+        line%has_null = line%has_null .or. index(piece, achar(0)) > 0
+    end subroutine gather
+
+    !> Takes off what belongs to the file: a carriage return at the end, a byte order mark in front.
+    pure subroutine strip(line)
+        type(line_type), intent(inout) :: line !! a whole line
+        character(3), parameter :: mark = char(239)//char(187)//char(191)
+        character, parameter :: carriage_return = achar(13)
+
+        if (line%length > 0 .and. line%length <= kept_length) then
+            if (line%text(line%length:) == carriage_return) then
+                line%length = line%length - 1
+                line%text = line%text(:line%length)
+            end if
+        end if
+        if (line%number == 1 .and. index(line%text, mark) == 1) then
+            line%text = line%text(4:)
+            line%length = line%length - 3
+        end if
+    end subroutine strip
+
+end module deck_source
