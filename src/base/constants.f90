@@ -11,6 +11,8 @@ module base_constants
     !> A slope of this size or more means a vertical tangent; punched as 999.999, the largest that
     !> fits the field (SAE 700202, text before appendix A).
     real(dp), parameter, public :: vertical_slope = 999.99_dp
+    !> Rows of the longest table LOFT makes: beyond it the increment was surely mistyped.
+    integer, parameter, public :: largest_table = 100000
     !> The name and version of the program; everything that states a version takes it from here.
     character(*), parameter, public :: version = '0.1.0'
 
