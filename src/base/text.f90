@@ -5,7 +5,7 @@ module base_text
     implicit none (type, external)
     private
 
-    public :: upper, to_text, compact, counted, columns
+    public :: upper, to_text, compact, counted, columns, row_of, right
 
     interface to_text
         module procedure integer_text, long_text
@@ -36,6 +36,27 @@ contains
         text = ''
         if (first <= len(image)) text = image(first:min(last, len(image)))
     end function columns
+
+    !> A character many times over; none where the count is not positive.
+    pure function row_of(letter, count) result(text)
+        character, intent(in) :: letter !! which
+        integer, intent(in) :: count    !! how many
+        character(:), allocatable :: text
+        integer :: i
+        allocate (character(max(int(count, i64), 0_i64)) :: text)
+        do i = 1, count
+            text(i:i) = letter
+        end do
+    end function row_of
+
+    !> A text moved to the right end of its columns, or as it is where it needs more.
+    pure function right(text, width) result(moved)
+        character(*), intent(in) :: text !! any text; blanks around it do not count
+        integer, intent(in) :: width     !! columns
+        character(:), allocatable :: moved
+        moved = trim(adjustl(text))
+        moved = row_of(' ', width - len(moved))//moved
+    end function right
 
     !> A whole number in as few characters as it needs.
     pure function integer_text(value) result(text)

@@ -1,0 +1,133 @@
+!> What `loft help` says.
+module app_help
+    use base_constants, only: version
+    use base_error, only: cause, error_type, fail
+    use base_output, only: output_type
+    use report_card_reference, only: print_card_reference
+    implicit none (type, external)
+    private
+
+    public :: print_help, print_version
+
+contains
+
+    !> Prints the help on a topic; without one, the overview.
+    !>
+    !> Fails with `cause%usage` where there is no such topic.
+    subroutine print_help(topic, out, error)
+        character(*), intent(in) :: topic                   !! a command, `cards`, or nothing
+        type(output_type), intent(inout) :: out             !! where it goes
+        type(error_type), allocatable, intent(out) :: error !! see above
+
+        select case (topic)
+        case ('')
+            call print_overview(out)
+        case ('run')
+            call print_run(out)
+        case ('check')
+            call print_check(out)
+        case ('plot')
+            call print_plot(out)
+        case ('cards')
+            call print_cards(out)
+        case ('help')
+            call print_lines([character(64) :: 'loft help [TOPIC]', '', &
+                'TOPIC is run, check, plot or cards; none gives the overview.'], out)
+        case default
+            call fail(error, cause%usage, 'no help on '''//topic// &
+                '''; topics: run check plot cards')
+        end select
+    end subroutine print_help
+
+    !> Prints the name and version.
+    subroutine print_version(out)
+        type(output_type), intent(inout) :: out !! where it goes
+        call out%line('loft '//version)
+    end subroutine print_version
+
+    !> Prints what LOFT is and its commands.
+    subroutine print_overview(out)
+        type(output_type), intent(inout) :: out !! where it goes
+        call print_lines([character(80) :: &
+            'LOFT computes conic lofts of aircraft bodies from decks of card images.', '', &
+            '  loft run [OPTIONS] [DECK]      tables of ordinates', &
+            '  loft check DECK...             only reads, prints every diagnostic', &
+            '  loft plot [OPTIONS] DECK       pictures, by gnuplot', &
+            '  loft help [TOPIC]              run, check, plot or cards', &
+            '  loft --version', '', &
+            'A DECK of - is standard input; run reads it too where no deck is named.', '', &
+            'Exit status: 0 all done; 1 some card was in error, the others ran; 2 the', &
+            'command line is wrong, or a file can''t be read or written.'], out)
+    end subroutine print_overview
+
+    !> Prints the help on `loft run`.
+    subroutine print_run(out)
+        type(output_type), intent(inout) :: out !! where it goes
+        call print_lines([character(80) :: &
+            'loft run [--arithmetic ieee|s360] [--shift N] [--asa] [--format listing|csv]', &
+            '         [-o FILE] [DECK]', '', &
+            'Runs a deck and prints its tables.', '', &
+            '  --arithmetic ieee    the conic as an arc, good to a few units in the last', &
+            '                       place; only the contour is printed (the default)', &
+            '  --arithmetic s360    the 1970 program in System/360 arithmetic: its page,', &
+            '                       figure for figure, both roots of every ordinate', &
+            '  --shift N            what the 1970 program adds to every X and Y before it', &
+            '                       solves; deck units, default 100. Of the ieee listing', &
+            '                       it moves only the coefficients in the book''s frame', &
+            '  --asa                with s360: keep the carriage control column; without', &
+            '                       it a new page is a form feed', &
+            '  --format listing     printer-style pages (the default)', &
+            '  --format csv         header card,axis,x,y,slope,curvature; full precision', &
+            '  -o FILE              write FILE, complete or not at all', '', &
+            'Diagnostics go to standard error with file, line, columns and card.'], out)
+    end subroutine print_run
+
+    !> Prints the help on `loft check`.
+    subroutine print_check(out)
+        type(output_type), intent(inout) :: out !! where it goes
+        call print_lines([character(80) :: &
+            'loft check DECK...', '', &
+            'Reads decks and prints every diagnostic on standard error, and nothing else.', &
+            'It also warns of what run takes as punched: a number without a point has', &
+            'implied decimals, a blank behind a figure is a zero.', &
+            'Exit status 1 where there is an error; warnings leave it 0.'], out)
+    end subroutine print_check
+
+    !> Prints the help on `loft plot`.
+    subroutine print_plot(out)
+        type(output_type), intent(inout) :: out !! where it goes
+        call print_lines([character(80) :: &
+            'loft plot [-o DIR] [--format svg|pdf|png|txt] DECK', '', &
+            'Draws the conics of a deck with their three points and end tangents.', &
+            'The comment right before a card names it. A name with the word SIDE, PLAN,', &
+            'or STA, STATION or SECTION puts it in that picture; other cards share one.', '', &
+            '  -o DIR          folder for pictures, data and gnuplot scripts; made where', &
+            '                  there is none. Default: the name of the deck and -plots', &
+            '  --format F      svg (the default), pdf, png, or txt for a terminal', '', &
+            'Without gnuplot the data and scripts are written all the same.'], out)
+    end subroutine print_plot
+
+    !> Prints the card reference with the rules of reading.
+    subroutine print_cards(out)
+        type(output_type), intent(inout) :: out !! where it goes
+        call print_card_reference(out)
+        call print_lines([character(80) :: '', &
+            'F fields: a punched point wins; without one the last columns are decimals', &
+            '(-30 in F8.3 is -.030). A blank field is zero; a blank behind the first', &
+            'figure is a zero. An exponent is E, D or a sign and figures: 1.5E2, 15.+1.', '', &
+            '* in column 1 is a comment; right before a conic card it names the card.', &
+            'Blank cards are passed over. TITLE and UNITS stand before the first conic', &
+            'card. X1 of 999.99 or more, or the end of the file, ends the deck.'], out)
+    end subroutine print_cards
+
+    !> Prints lines without the blanks at their ends.
+    subroutine print_lines(lines, out)
+        character(*), intent(in) :: lines(:)    !! the lines
+        type(output_type), intent(inout) :: out !! where they go
+        integer :: i
+        do i = 1, size(lines)
+            call out%line(trim(lines(i)))
+        end do
+    end subroutine print_lines
+
+end module app_help

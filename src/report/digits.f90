@@ -1,0 +1,146 @@
+!> Numbers as figures: fixed decimals for listings, figures with a power of ten for coefficients,
+!> and for CSV the shortest figures that read back as the same number. There is no `-0.000`, and a
+!> number that does not fit its columns is given with a power of ten, never as asterisks.
+module report_digits
+    use base_exact, only: is_equal, is_zero
+    use base_kinds, only: dp, i64
+    use base_text, only: right, row_of
+    implicit none (type, external)
+    private
+
+    public :: fixed, scientific, shortest
+
+    !> Figures that a double always keeps, and that always tell it from its neighbours.
+    integer, parameter :: kept_figures = 15, telling_figures = 17
+
+contains
+
+    !> A number with a fixed count of decimals, right in its columns; halves as the runtime rounds.
+    pure function fixed(value, width, decimals) result(text)
+        real(dp), intent(in) :: value   !! a finite number
+        integer, intent(in) :: width    !! columns, at least 9
+        integer, intent(in) :: decimals !! figures behind the point
+        character(width) :: text
+        character(48) :: format
+        character(340) :: field
+
+        write (format, '(a,i0,a)') '(f0.', decimals, ')'
+        write (field, format) value
+        if (verify(trim(field), '-0.') == 0 .and. field(1:1) == '-') field = field(2:)
+        if (field(1:1) == '.') field = '0'//trim(field)
+        if (field(1:2) == '-.') field = '-0'//trim(field(2:))
+        if (len_trim(field) <= width) then
+            text = right(field, width)
+        else
+            text = scientific(value, width, max(1, width - 8))
+        end if
+    end function fixed
+
+    !> A number with one figure before the point and a power of ten, right in its columns.
+    pure function scientific(value, width, figures) result(text)
+        real(dp), intent(in) :: value   !! a finite number
+        integer, intent(in) :: width    !! columns, at least figures + 7
+        integer, intent(in) :: figures  !! figures in all
+        character(width) :: text
+        character(48) :: format, field
+
+        write (format, '(a,i0,a)') '(es48.', figures - 1, 'e3)'
+        write (field, format) merge(0.0_dp, value, is_zero(value))
+        text = right(field, width)
+    end function scientific
+
+    !> The fewest figures that read back as the same double: `-30`, `0.1`, `1e-07`.
+    pure function shortest(value) result(text)
+        real(dp), intent(in) :: value !! a finite number
+        character(:), allocatable :: text
+        integer(i64) :: figures
+        integer :: power
+
+        if (is_zero(value)) then
+            text = '0'
+            return
+        end if
+        call fewest_figures(abs(value), figures, power)
+        text = written(figures, power)
+        if (value < 0.0_dp) text = '-'//text
+    end function shortest
+
+    !> The whole number with the fewest figures such that `figures * 10**power` reads as the value.
+    pure subroutine fewest_figures(value, figures, power)
+        real(dp), intent(in) :: value        !! a finite positive number
+        integer(i64), intent(out) :: figures !! the figures, without zeros at their end
+        integer, intent(out) :: power        !! the power of ten behind them
+        integer :: count
+        integer(i64) :: shift
+
+        search: do count = kept_figures, telling_figures
+            call rounded(value, count, figures, power)
+            if (is_equal(read_back(figures, power), value)) exit search
+            do shift = -1_i64, 1_i64, 2_i64
+                if (.not. is_equal(read_back(figures + shift, power), value)) cycle
+                figures = figures + shift
+                exit search
+            end do
+        end do search
+        do while (mod(figures, 10_i64) == 0)
+            figures = figures/10
+            power = power + 1
+        end do
+    end subroutine fewest_figures
+
+    !> A number correctly rounded to a count of figures.
+    pure subroutine rounded(value, count, figures, power)
+        real(dp), intent(in) :: value        !! a finite positive number
+        integer, intent(in) :: count         !! how many figures
+        integer(i64), intent(out) :: figures !! the figures as a whole number
+        integer, intent(out) :: power        !! the power of ten behind them
+        character(32) :: format, field
+        integer :: e
+
+        write (format, '(a,i0,a)') '(es32.', count - 1, 'e3)'
+        write (field, format) value
+        field = adjustl(field)
+        e = index(field, 'E')
+        read (field(e + 1:), *) power
+        power = power - (count - 1)
+        field = field(1:1)//field(3:e - 1)
+        read (field, *) figures
+    end subroutine rounded
+
+    !> The double that figures and a power of ten read as.
+    pure real(dp) function read_back(figures, power) result(value)
+        integer(i64), intent(in) :: figures !! whole number
+        integer, intent(in) :: power        !! power of ten
+        character(48) :: field
+        integer :: status
+        write (field, '(i0,a,i0)') figures, 'e', power
+        read (field, *, iostat=status) value
+        if (status /= 0) value = 0.0_dp
+    end function read_back
+
+    !> Figures and a power of ten as text: plain where that is short, else with an `e`.
+    pure function written(figures, power) result(text)
+        integer(i64), intent(in) :: figures !! positive whole number
+        integer, intent(in) :: power        !! power of ten
+        character(:), allocatable :: text
+        character(24) :: field
+        integer :: count, point
+
+        write (field, '(i0)') figures
+        count = len_trim(field)
+        point = count + power
+        if (point > 16 .or. point < -4) then
+            text = field(1:1)
+            if (count > 1) text = text//'.'//field(2:count)
+            write (field, '(sp,i0.2)') point - 1
+            text = text//'e'//trim(field)
+        else if (power >= 0) then
+            text = trim(field)//row_of('0', power)
+        else if (point > 0) then
+            text = field(:point)//'.'//field(point + 1:count)
+        else
+            text = '0.'//row_of('0', -point)//trim(field)
+        end if
+    end function written
+
+end module report_digits

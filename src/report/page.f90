@@ -1,0 +1,131 @@
+!> Pages of a listing: a heading on each, page numbers, a form feed between two, and no line that
+!> is lost because a page was full.
+module report_page
+    use base_constants, only: version
+    use base_output, only: output_type
+    use base_text, only: row_of, to_text
+    implicit none (type, external)
+    private
+
+    public :: page_type
+
+    !> Columns of a page.
+    integer, parameter, public :: page_columns = 80
+    !> Lines of a page, heading and foot margin included, as on the 11-inch form at 6 lines an inch.
+    integer, parameter :: page_lines = 60
+    !> A column heading has at most so many lines.
+    integer, parameter :: most_heads = 2
+
+    !> A listing being printed.
+    type :: page_type
+        private
+        character(:), allocatable :: title      !! first line of every page, left
+        character(:), allocatable :: deck       !! second line, left
+        character(:), allocatable :: units      !! second line, middle
+        integer :: number = 0                   !! of the present page
+        integer :: used = page_lines            !! lines of it that are filled
+        integer :: heads = 0                    !! lines of column heading in force
+        character(page_columns) :: head(most_heads)
+    contains
+        procedure :: set_heading
+        procedure :: line
+        procedure :: blank
+        procedure :: keep
+        procedure :: set_columns
+        procedure :: end_columns
+    end type page_type
+
+contains
+
+    !> Says what stands at the head of every page.
+    subroutine set_heading(page, title, deck, units)
+        class(page_type), intent(inout) :: page !! the listing
+        character(*), intent(in) :: title       !! of the deck, or nothing
+        character(*), intent(in) :: deck        !! name of the deck
+        character(*), intent(in) :: units       !! unit of its numbers
+        page%title = title
+        page%deck = deck
+        page%units = units
+    end subroutine set_heading
+
+    !> Prints a line, on a new page where this one is full.
+    subroutine line(page, out, text)
+        class(page_type), intent(inout) :: page !! the listing
+        type(output_type), intent(inout) :: out !! where it goes
+        character(*), intent(in) :: text        !! the line
+        if (page%used >= page_lines) call turn(page, out)
+        call out%line(trim(text))
+        page%used = page%used + 1
+    end subroutine line
+
+    !> Prints blank lines; at the foot of a page they are left out.
+    subroutine blank(page, out)
+        class(page_type), intent(inout) :: page !! the listing
+        type(output_type), intent(inout) :: out !! where it goes
+        if (page%used >= page_lines) return
+        call out%line('')
+        page%used = page%used + 1
+    end subroutine blank
+
+    !> Turns the page unless some lines still fit on it.
+    subroutine keep(page, out, lines)
+        class(page_type), intent(inout) :: page !! the listing
+        type(output_type), intent(inout) :: out !! where it goes
+        integer, intent(in) :: lines            !! lines that belong together
+        if (page%used + lines > page_lines) call turn(page, out)
+    end subroutine keep
+
+    !> Prints a column heading and repeats it on every page from now on.
+    subroutine set_columns(page, out, head)
+        class(page_type), intent(inout) :: page !! the listing
+        type(output_type), intent(inout) :: out !! where it goes
+        character(*), intent(in) :: head(:)     !! its lines, at most `most_heads`
+        integer :: i
+        call page%keep(out, size(head) + 2)
+        page%heads = size(head)
+        page%head(:page%heads) = head
+        do i = 1, page%heads
+            call page%line(out, page%head(i))
+        end do
+    end subroutine set_columns
+
+    !> Ends the table whose column heading is in force.
+    subroutine end_columns(page)
+        class(page_type), intent(inout) :: page !! the listing
+        page%heads = 0
+    end subroutine end_columns
+
+    !> Begins a page.
+    subroutine turn(page, out)
+        class(page_type), intent(inout) :: page !! the listing
+        type(output_type), intent(inout) :: out !! where it goes
+        character(:), allocatable :: mark
+        integer :: i
+
+        page%number = page%number + 1
+        if (page%number > 1) call out%put(achar(12))
+        mark = 'PAGE '//to_text(page%number)
+        call out%line(spread_out(page%title, '', mark))
+        call out%line(spread_out(page%deck, page%units, 'LOFT '//version))
+        call out%line('')
+        page%used = 3
+        do i = 1, page%heads
+            call page%line(out, page%head(i))
+        end do
+    end subroutine turn
+
+    !> Three texts on one line: left, middle, right. A left text that is too long takes the middle
+    !> and, where it must, pushes the right text on.
+    pure function spread_out(left, middle, right) result(text)
+        character(*), intent(in) :: left   !! begins the line
+        character(*), intent(in) :: middle !! about column 40
+        character(*), intent(in) :: right  !! ends the line
+        character(:), allocatable :: text
+        integer, parameter :: centre = page_columns/2
+
+        text = left
+        if (middle /= '') text = text//row_of(' ', max(2, centre - len(text)))//middle
+        text = text//row_of(' ', max(2, page_columns - len(text) - len(right)))//right
+    end function spread_out
+
+end module report_page
