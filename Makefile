@@ -1,0 +1,150 @@
+# LOFT: build, proof and set-up. `make help` lists what can be asked for.
+#
+# Nothing is listed by hand: sources are found, and their order comes from their `use` lines, because
+# the path of a file is the name of its module. All products go to build/.
+
+FC    := gfortran
+AWK   := awk
+BUILD := build
+LIBS  := -llapack -lblas
+
+# Three builds of the same sources: as used, as distrusted (make DEBUG=1), as read by lint.
+MODE := $(if $(DEBUG),debug,release)
+FLAGS.release := -O2 -g -ffp-contract=off
+FLAGS.debug   := -O0 -g -fcheck=all -ffpe-trap=invalid,zero,overflow -fbacktrace
+FLAGS.lint    := -O0 -Wall -Wextra -pedantic -Wimplicit-interface -Wconversion-extra -Werror
+FFLAGS        := -std=f2018 $(FLAGS.$(MODE))
+
+ifeq ($(shell uname),Darwin)
+LDFLAGS += -L$(shell brew --prefix lapack 2>/dev/null)/lib
+endif
+
+B    := $(BUILD)/$(MODE)
+LOFT := $(if $(filter release,$(MODE)),$(BUILD),$(B))/loft
+
+SOURCES := $(sort $(shell find src tests -name '*.f90'))
+OBJECTS := $(SOURCES:%.f90=$(B)/%.o)
+PROGRAM := $(B)/src/app/main.o
+TESTS   := $(filter-out tests/support/%,$(filter tests/%,$(SOURCES)))
+CHECKS  := $(foreach t,$(TESTS),$(if $(filter test_%,$(notdir $t)),$(t:%.f90=$(B)/%)))
+SCRIPTS := $(sort $(shell find tests -name '*.t'))
+BENCHES := $(patsubst %.f90,$(B)/%,$(filter tests/bench/%,$(TESTS)))
+BOOK    := $(B)/tests/book/book
+JOBS    := $(shell getconf _NPROCESSORS_ONLN)
+
+PREFIX := /usr/local
+DECK   := cards/sae700202.crd
+PLOTS  := $(BUILD)/plots
+
+MAKEFLAGS += --no-print-directory
+
+.DELETE_ON_ERROR:
+.PHONY: all debug programs objects deps demo check test lint golden book plot bench graph install clean help
+
+all: $(LOFT)                        ## builds build/loft (DEBUG=1: build/debug/loft)
+
+debug:                              ## builds build/debug/loft, which checks all it does
+	@$(MAKE) MODE=debug all
+
+# --- compiling and linking ----------------------------------------------------------------------
+
+# The rules `object: objects of the modules it uses` and `program: objects it needs`.
+$(shell mkdir -p $(B)/mod && $(AWK) -v objects=$(B) -v loft=$(LOFT) \
+    -f tests/make/modules.awk -f tests/make/order.awk $(SOURCES) > $(B)/order.mk)
+include $(B)/order.mk
+
+# Reals are compared for equality in one module only, and in tests.
+EXACT = $(if $(filter src/base/exact.f90 tests/%,$<),-Wno-compare-reals)
+
+$(OBJECTS): $(B)/%.o: %.f90 Makefile
+	@mkdir -p $(@D)
+	@echo "$(MODE): $<"
+	@$(FC) $(FFLAGS) $(EXACT) -J$(B)/mod -c $< -o $@
+
+$(LOFT): $(PROGRAM)
+$(LOFT) $(TESTS:%.f90=$(B)/%):
+	@echo "$(MODE): $@"
+	@$(FC) $(FFLAGS) $(filter %.o,$^) $(LDFLAGS) $(LIBS) -o $@
+
+objects: $(OBJECTS)
+programs: $(LOFT) $(TESTS:%.f90=$(B)/%)
+
+# --- set-up and show ----------------------------------------------------------------------------
+
+deps:                               ## installs what is missing (DEPS=yes allows sudo)
+	@DEPS=$(DEPS) FC=$(FC) sh tests/make/deps.sh
+
+demo: deps                          ## sets up, builds, runs the deck of 1970, compares, draws
+	@$(MAKE) all $(BOOK)
+	@echo && echo "== $(LOFT) run --arithmetic s360 $(DECK) > $(BUILD)/demo.lst (first page)" && echo
+	@$(LOFT) run --arithmetic s360 $(DECK) > $(BUILD)/demo.lst
+	@sed -n 1,60p $(BUILD)/demo.lst | tr -d '\f'
+	@echo && echo "== make book: the paper's figures beside ours" && echo
+	@$(MAKE) book
+	@echo && echo "== make plot: the pictures" && echo
+	@$(MAKE) plot
+	@echo && echo "The whole listing is $(BUILD)/demo.lst, the program is $(LOFT)."
+
+book: $(BOOK)                       ## shows the printed figures of SAE 700202 beside ours
+	@$(BOOK)
+
+plot: $(LOFT)                       ## draws the pictures of DECK
+	@$(LOFT) plot $(DECK) -o $(PLOTS) --format svg
+	@$(LOFT) plot $(DECK) -o $(PLOTS) --format png
+	@echo "Pictures of $(DECK):" && ls $(PLOTS)/*.svg $(PLOTS)/*.png
+
+bench: $(BENCHES)                   ## times the programs of tests/bench
+	$(if $(BENCHES),,$(error there is no program in tests/bench))
+	@set -e; for bench in $(BENCHES); do LOFT=$(abspath $(LOFT)) $$bench; done
+
+# --- proof --------------------------------------------------------------------------------------
+
+check: deps                         ## sets up, builds, lints and runs all tests, twice
+	@$(MAKE) programs
+	@$(MAKE) MODE=debug programs
+	@$(MAKE) lint
+	@$(MAKE) test
+	@$(MAKE) MODE=debug test
+
+# Whole-program tests (tests/*.t) find the program and the tree by LOFT and ROOT.
+test: $(LOFT) $(CHECKS)             ## runs all tests of one build
+	$(if $(CHECKS),,$(error there are no test programs))
+	@echo "== tests of the $(MODE) build"
+	@LOFT=$(abspath $(LOFT)) ROOT=$(CURDIR) \
+	    prove --jobs $(JOBS) --failures --comments --exec '' $(CHECKS) $(SCRIPTS)
+
+lint:                               ## reads all sources: compiler warnings, layers, style
+	@$(MAKE) MODE=lint objects
+	@$(AWK) -f tests/make/modules.awk -f tests/lint/lint.awk $(SOURCES)
+
+golden: $(LOFT)                     ## rewrites golden/ with what the program prints now
+	@LOFT=$(abspath $(LOFT)) ROOT=$(CURDIR) sh tests/golden
+
+graph:                              ## draws the modules (build/graph.svg, doc/architecture.svg)
+	@command -v dot > /dev/null || { echo "make graph needs dot, of the package graphviz" >&2; exit 1; }
+	@$(AWK) -f tests/make/modules.awk -f tests/make/graph.awk $(filter src/%,$(SOURCES)) \
+	    > $(BUILD)/graph.dot
+	@dot -Tsvg $(BUILD)/graph.dot -o $(BUILD)/graph.svg
+	@dot -Tpng $(BUILD)/graph.dot -o $(BUILD)/graph.png
+	@cp $(BUILD)/graph.svg doc/architecture.svg
+	@echo "drawn: $(BUILD)/graph.svg $(BUILD)/graph.png doc/architecture.svg"
+
+# --- installing and cleaning --------------------------------------------------------------------
+
+SHARE = $(DESTDIR)$(PREFIX)/share
+
+install: $(LOFT)                    ## installs below PREFIX (DESTDIR is put before it)
+	install -d $(DESTDIR)$(PREFIX)/bin $(SHARE)/man/man1 $(SHARE)/loft/plot $(SHARE)/loft/cards \
+	    $(SHARE)/doc/loft
+	install -m 755 $(LOFT) $(DESTDIR)$(PREFIX)/bin
+	install -m 644 doc/loft.1 $(SHARE)/man/man1
+	install -m 644 $(wildcard plot/*.gp) $(SHARE)/loft/plot
+	install -m 644 $(wildcard cards/*) $(SHARE)/loft/cards
+	install -m 644 $(wildcard *.md) LICENSE $(wildcard doc/*.md doc/*.svg) $(SHARE)/doc/loft
+
+clean:                              ## removes build/
+	rm -rf $(BUILD)
+
+help:                               ## says this
+	@sed -n 's/^\([a-z]*\):[^#]*## \(.*\)/make \1 \2/p' Makefile | \
+	    $(AWK) '{ target = $$2; sub(/^make [a-z]* /, ""); printf "make %-8s %s\n", target, $$0 }'

@@ -1,0 +1,59 @@
+#!/bin/sh
+# The scripts behind the Makefile, on a small tree: order of compilation, picture.
+cd "${ROOT:?}" || exit 1
+. tests/support/tap.sh
+scripts=$PWD/tests/make
+tree=$(mktemp -d) && trap 'rm -rf "$tree"' EXIT
+cd "$tree" || exit 1
+mkdir -p src/base src/geom src/deck src/app tests/geom
+
+printf 'module base_kinds\nend module base_kinds\n' > src/base/kinds.f90
+printf 'module geom_arc\n use, intrinsic :: iso_c_binding, only: c_int\n use base_kinds, only: dp\n' > src/geom/arc.f90
+printf 'module deck_card\n use :: base_kinds, only: dp\n' > src/deck/card.f90
+printf 'program loft\n  USE geom_arc, only: x\n  use_of = 1\n' > src/app/main.f90
+printf 'program test_arc\n use geom_arc, only: x\n' > tests/geom/test_arc.f90
+
+order() {
+    awk -v objects=o -v loft=bin/loft -f "$scripts/modules.awk" -f "$scripts/order.awk" \
+        $(find src tests -name '*.f90' | sort) | sort
+}
+picture() {
+    awk -f "$scripts/modules.awk" -f "$scripts/graph.awk" $(find src -name '*.f90' | sort)
+}
+
+want='bin/loft: o/src/app/main.o
+bin/loft: o/src/base/kinds.o
+bin/loft: o/src/geom/arc.o
+o/src/app/main.o: o/src/geom/arc.o
+o/src/deck/card.o: o/src/base/kinds.o
+o/src/geom/arc.o: o/src/base/kinds.o
+o/tests/geom/test_arc.o: o/src/geom/arc.o
+o/tests/geom/test_arc: o/src/base/kinds.o
+o/tests/geom/test_arc: o/src/geom/arc.o
+o/tests/geom/test_arc: o/tests/geom/test_arc.o'
+want=$(echo "$want" | sort)
+[ "$(order)" = "$want" ]
+ok $? 'objects wait for what they use, programs are linked from what they need' "$(order)"
+
+picture | grep -q 'geom_arc \[label="arc\\n3"\]'
+ok $? 'a box has the name and the lines of its module'
+[ "$(picture | grep -c '^    subgraph cluster_')" = 4 ]
+ok $? 'a band is drawn for each layer there is'
+[ "$(picture | grep -n 'subgraph' | sed 's/.*cluster_\([a-z]*\).*/\1/' | tr '\n' ' ')" = 'app deck geom base ' ]
+ok $? 'the bands stand in the order of the layers'
+! picture | grep -q 'color=red'
+ok $? 'no arrow is red where all go down'
+
+printf ' use deck_card, only: y\n' >> src/geom/arc.f90
+picture | grep -q 'geom_arc -> deck_card \[color=red'
+ok $? 'an arrow against the layers is red'
+
+printf ' use base_gone, only: y\n' >> src/geom/arc.f90
+order | grep -q '^o/src/geom/arc.o: o/no-such-module/base_gone.o$'
+ok $? 'a module that is not there is asked of make by name'
+
+printf 'module deck_card\n use geom_arc, only: x\n' > src/deck/card.f90
+order > /dev/null
+ok $? 'modules that use each other do not hang the script'
+
+finish

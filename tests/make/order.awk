@@ -1,0 +1,29 @@
+# The order of compilation, as rules for make: an object waits for the objects of the modules its
+# `use` lines name; a program is linked from the objects it needs and no others.
+#     awk -v objects=build/release -v loft=build/loft -f modules.awk -f order.awk FILE...
+
+# A file without its ending; a module that is not in the tree gets a name that make can't make.
+function stem_of(module,    file) {
+    file = module in path ? path[module] : "no-such-module/" module
+    sub(/\.f90$/, "", file)
+    return file
+}
+
+function object_of(module) { return objects "/" stem_of(module) ".o" }
+
+# The executable of a program: `loft` for the one in src, the path of the source for a test.
+function program_of(module) {
+    return path[module] ~ /^src\// ? loft : objects "/" stem_of(module)
+}
+
+END {
+    for (module in path) {
+        n = split(uses[module], name)
+        for (i = 1; i <= n; i++) print object_of(module) ": " object_of(name[i])
+        if (!(module in is_program)) continue
+        split("", needs)
+        mark_needs(module, needs)
+        print program_of(module) ": " object_of(module)
+        for (need in needs) print program_of(module) ": " object_of(need)
+    }
+}
