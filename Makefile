@@ -42,6 +42,7 @@ MAKEFLAGS += --no-print-directory
 .PHONY: all debug programs objects deps demo check test lint golden book plot bench graph install clean help
 
 all: $(LOFT)                        ## builds build/loft (DEBUG=1: build/debug/loft)
+	@:
 
 debug:                              ## builds build/debug/loft, which checks all it does
 	@$(MAKE) MODE=debug all
@@ -67,7 +68,9 @@ $(LOFT) $(TESTS:%.f90=$(B)/%):
 	@$(FC) $(FFLAGS) $(filter %.o,$^) $(LDFLAGS) $(LIBS) -o $@
 
 objects: $(OBJECTS)
+	@:
 programs: $(LOFT) $(TESTS:%.f90=$(B)/%)
+	@:
 
 # --- set-up and show ----------------------------------------------------------------------------
 

@@ -201,6 +201,6 @@ END {
         sub(/[^\/]*$/, "test_&", proof)
         if (!(module_of(proof) in path)) complain_at(ARGV[i], 1, "has no test " proof)
     }
-    if (faults) print "lint: " faults (faults == 1 ? " fault" : " faults")
+    print "lint: " faults + 0 (faults == 1 ? " fault" : " faults")
     exit faults > 0
 }
