@@ -7,6 +7,7 @@
 !> A card is read whole: every fault of it is reported, not only the first.
 module deck_conic_card
     use base_decimal, only: decimal_type, to_real
+    use base_exact, only: is_equal
     use base_fault, only: fault_list_type, new_fault, severity
     use base_kinds, only: dp, i64
     use base_text, only: columns, compact, to_text
@@ -35,6 +36,8 @@ module deck_conic_card
         procedure :: real => real_field
         procedure :: wants_x_table
         procedure :: wants_y_table
+        procedure :: steps_well
+        procedure :: has_coinciding_points
     end type conic_card_type
 
 contains
@@ -109,6 +112,34 @@ contains
         wants_y_table = card%ityp /= 0
     end function wants_y_table
 
+    !> True where an increment can step from point 1 to point 3: it is not zero and has the sign of
+    !> the way. Where both points have the same ordinate, either sign will do.
+    elemental logical function steps_well(card, step)
+        class(conic_card_type), intent(in) :: card !! a readable card
+        integer, intent(in) :: step                !! `conic%xi` or `conic%yi`
+        integer :: from, to
+        from = merge(conic%x1, conic%y1, step == conic%xi)
+        to = merge(conic%x3, conic%y3, step == conic%xi)
+        steps_well = card%value(step)%digits /= 0 .and. &
+            (card%real(to) - card%real(from))*card%real(step) >= 0.0_dp
+    end function steps_well
+
+    !> True where two of the three points are one, as punched.
+    elemental logical function has_coinciding_points(card)
+        class(conic_card_type), intent(in) :: card !! a readable card
+        has_coinciding_points = are_one(card, conic%x1, conic%x2) .or. &
+            are_one(card, conic%x1, conic%x3) .or. are_one(card, conic%x2, conic%x3)
+    end function has_coinciding_points
+
+    !> True where two points of a card are one.
+    elemental logical function are_one(card, a, b)
+        class(conic_card_type), intent(in) :: card !! a readable card
+        integer, intent(in) :: a                   !! field of the first point's X
+        integer, intent(in) :: b                   !! field of the second point's X
+        are_one = is_equal(card%real(a), card%real(b)) .and. &
+            is_equal(card%real(a + 1), card%real(b + 1))
+    end function are_one
+
     !> Faults of the card as a row of columns: tabs, control bytes, more than 80 columns.
     subroutine check_columns(line, faults)
         type(line_type), intent(in) :: line             !! the line of the deck
@@ -171,11 +202,8 @@ contains
         integer, intent(in) :: b                        !! field of the second point's X
         character(*), intent(in) :: names               !! the points in words
         type(fault_list_type), intent(inout) :: faults  !! what is wrong is added
-        real(dp) :: p(2), q(2)
 
-        p = card%real([a, a + 1])
-        q = card%real([b, b + 1])
-        if (any(abs(p - q) > 0.0_dp)) return
+        if (.not. are_one(card, a, b)) return
         call faults%add(new_fault(severity%error, conic_fields(b)%first, conic_fields(b + 1)%last, &
             'points '//names//' coincide; three different points fix a conic'))
     end subroutine check_pair
@@ -190,16 +218,15 @@ contains
         character(:), allocatable :: trouble
         real(dp) :: way
 
+        if (card%steps_well(step)) return
         way = card%real(to) - card%real(from)
         associate (field => conic_fields(step), name => trim(conic_fields(step)%name))
             if (card%value(step)%digits == 0) then
                 trouble = name//' is zero where a table is asked for; punch an increment'
                 if (step == conic%xi) trouble = trouble//', or ITYP and YI for a Y table alone'
-            else if (way*card%real(step) < 0.0_dp) then
-                trouble = name//' has the wrong sign; from '//compact(card%real(from))//' to '// &
-                    compact(card%real(to))//' it is '//merge('positive', 'negative', way > 0.0_dp)
             else
-                return
+                trouble = name//' has the wrong sign; from '//compact(card%real(from))//' to '// &
+                    compact(card%real(to))//' it is '//trim(merge('positive', 'negative', way > 0.0_dp))
             end if
             call faults%add(new_fault(severity%error, field%first, field%last, trouble))
         end associate
