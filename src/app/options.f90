@@ -156,7 +156,8 @@ contains
         type(number_type) :: number
 
         if (layout%kind == 'words' .and. .not. is_one_of(value, layout%words)) then
-            call fail(error, cause%usage, trim(layout%name)//' '//value//': it is one of: '//layout%words)
+            call fail(error, cause%usage, trim(layout%name)//' '''//value//''': it is one of: '// &
+                trim(layout%words))
             return
         end if
         select case (layout%name)
@@ -171,7 +172,7 @@ contains
             number = read_number(value, 0)
             options%shift = number%value
             if (number%first > 0 .or. number%is_blank) call fail(error, cause%usage, &
-                '--shift '//value//': it is a number in deck units')
+                '--shift '''//value//''': it is a number in deck units')
         end select
     end subroutine set_value
 
@@ -184,9 +185,16 @@ contains
         case ('run', 'plot')
             if (size(options%operand) > 1) call fail(error, cause%usage, &
                 'loft '//options%command//' takes one deck; '''//options%operand(2)%text//''' is too much')
+        case ('help')
+            if (size(options%operand) > 1) call fail(error, cause%usage, &
+                'loft help takes one topic; '''//options%operand(2)%text//''' is too much')
         case ('version')
             if (size(options%operand) > 0) call fail(error, cause%usage, '--version stands alone')
         end select
+        if (size(options%operand) == 0 .and. is_one_of(options%command, 'check plot')) then
+            call fail(error, cause%usage, &
+                'loft '//options%command//' needs a deck (- is standard input)')
+        end if
         if (allocated(error) .or. options%command /= 'run') return
         if (options%arithmetic == 's360' .and. options%format == 'csv') then
             call fail(error, cause%usage, '--format csv goes with --arithmetic ieee; the 1970 '// &

@@ -13,7 +13,7 @@ module deck_conic_card
     use base_text, only: columns, compact, to_text
     use deck_layout, only: card_columns, conic, conic_fields, field_layout_type
     use deck_number, only: number_type, read_number
-    use deck_source, only: kept_length, line_type
+    use deck_source, only: line_type
     implicit none (type, external)
     private
 
@@ -149,8 +149,8 @@ contains
         i = index(line%text, achar(9))
         if (i > 0) call faults%add(new_fault(severity%error, i, i, &
             'a tab on a card; fields go by columns, so put blanks in its place'))
-        if (len_trim(line%text) <= card_columns .and. line%length <= kept_length) return
-        call faults%add(new_fault(severity%error, card_columns + 1, len(line%text), &
+        if (line%filled <= card_columns) return
+        call faults%add(new_fault(severity%error, card_columns + 1, int(line%filled), &
             'text beyond column '//to_text(card_columns)//'; a card has '// &
             to_text(card_columns)//' columns, the last two free for a sequence number'))
     end subroutine check_columns
@@ -183,7 +183,7 @@ contains
             name//' is read as '//compact(to_real(number%value))//': '//reason))
     end subroutine field_faults
 
-    !> Faults of the points and increments against each other, worked in exact decimals.
+    !> Faults of the points and increments against each other.
     subroutine check_points(card, faults)
         type(conic_card_type), intent(in) :: card       !! a readable card
         type(fault_list_type), intent(inout) :: faults  !! what is wrong is added

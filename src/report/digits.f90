@@ -12,6 +12,9 @@ module report_digits
 
     !> Figures that a double always keeps, and that always tell it from its neighbours.
     integer, parameter :: kept_figures = 15, telling_figures = 17
+    !> The powers of ten that a double holds exactly, from 10**0.
+    integer :: i
+    real(dp), parameter :: power_of_ten(23) = [(10.0_dp**i, i = 0, 22)]
 
 contains
 
@@ -44,7 +47,9 @@ contains
         character(width) :: text
         character(48) :: format, field
 
-        write (format, '(a,i0,a)') '(es48.', figures - 1, 'e3)'
+        write (format, '(a,i0,a,i0,a)') '(es48.', figures - 1, 'e', &
+            merge(3, 2, abs(value) >= 1.0e100_dp .or. abs(value) < 1.0e-99_dp), ')'
+        if (is_zero(value)) write (format, '(a,i0,a)') '(es48.', figures - 1, 'e2)'
         write (field, format) merge(0.0_dp, value, is_zero(value))
         text = right(field, width)
     end function scientific
@@ -70,23 +75,62 @@ contains
         real(dp), intent(in) :: value        !! a finite positive number
         integer(i64), intent(out) :: figures !! the figures, without zeros at their end
         integer, intent(out) :: power        !! the power of ten behind them
-        integer :: count
-        integer(i64) :: shift
+        logical :: found
 
-        search: do count = kept_figures, telling_figures
-            call rounded(value, count, figures, power)
-            if (is_equal(read_back(figures, power), value)) exit search
-            do shift = -1_i64, 1_i64, 2_i64
-                if (.not. is_equal(read_back(figures + shift, power), value)) cycle
-                figures = figures + shift
-                exit search
-            end do
-        end do search
+        call short_decimal(value, figures, power, found)
+        if (.not. found) call telling_decimal(value, figures, power)
         do while (mod(figures, 10_i64) == 0)
             figures = figures/10
             power = power + 1
         end do
     end subroutine fewest_figures
+
+    !> Looks for a decimal of up to 15 figures, up to 22 of them behind the point. There is at most
+    !> one that reads as the value, since 15 figures tell all decimals apart. The whole number is
+    !> less than 2**53 and the power of ten is exact, so that their quotient is what the decimal
+    !> reads as.
+    pure subroutine short_decimal(value, figures, power, found)
+        real(dp), intent(in) :: value        !! a finite positive number
+        integer(i64), intent(out) :: figures !! the figures
+        integer, intent(out) :: power        !! the power of ten behind them
+        logical, intent(out) :: found        !! false where there is none
+        real(dp) :: whole
+        integer :: places
+
+        found = .false.
+        figures = 0
+        power = 0
+        do places = 0, size(power_of_ten) - 1
+            whole = value*power_of_ten(places + 1)
+            if (whole >= power_of_ten(kept_figures + 1)) return
+            whole = anint(whole)
+            if (.not. is_equal(whole/power_of_ten(places + 1), value)) cycle
+            figures = int(whole, i64)
+            power = -places
+            found = .true.
+            return
+        end do
+    end subroutine short_decimal
+
+    !> Rounds to more and more figures until they tell the value from all others. Beside a power of
+    !> two the nearest decimal may be another double's, and the next one further the value's.
+    pure subroutine telling_decimal(value, figures, power)
+        real(dp), intent(in) :: value        !! a finite positive number
+        integer(i64), intent(out) :: figures !! the figures
+        integer, intent(out) :: power        !! the power of ten behind them
+        integer :: count
+        integer(i64) :: shift
+
+        do count = merge(kept_figures, 1, value >= tiny(value)), telling_figures
+            call rounded(value, count, figures, power)
+            if (is_equal(read_back(figures, power), value)) return
+            do shift = -1_i64, 1_i64, 2_i64
+                if (.not. is_equal(read_back(figures + shift, power), value)) cycle
+                figures = figures + shift
+                return
+            end do
+        end do
+    end subroutine telling_decimal
 
     !> A number correctly rounded to a count of figures.
     pure subroutine rounded(value, count, figures, power)
