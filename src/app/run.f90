@@ -140,8 +140,8 @@ contains
         end do
     end subroutine print_csv_tables
 
-    !> Runs a card as the program of 1970. What it could not do it says on the page; what stopped the
-    !> machine, or would never have ended, is a fault.
+    !> Runs a card as the program of 1970. What it could not do it says on the page; what stopped
+    !> the machine, or would never have ended, is a fault.
     subroutine run_period(run, card, faults)
         type(run_type), intent(inout) :: run            !! the run
         type(conic_card_type), intent(in) :: card       !! a readable card

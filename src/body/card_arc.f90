@@ -30,9 +30,9 @@ contains
         call arc_through(start, card%real([conic%x2, conic%y2]), finish, arc, error)
         has_arc = .not. allocated(error)
         if (has_arc) then
-            if (turns_past_180(arc)) call add_fault(severity%warning, conic%x2, conic%y2, 'the arc '// &
-                'turns by more than 180 degrees: the shoulder point and the intersection of the end '// &
-                'tangents are on different sides of the chord', faults)
+            if (turns_past_180(arc)) call add_fault(severity%warning, conic%x2, conic%y2, &
+                'the arc turns by more than 180 degrees: the shoulder point and the intersection '// &
+                'of the end tangents are on different sides of the chord', faults)
         else
             call blame_fields(error, faults)
         end if
@@ -61,7 +61,8 @@ contains
         integer, intent(in) :: last                     !! field where it ends
         character(*), intent(in) :: message             !! what is wrong
         type(fault_list_type), intent(inout) :: faults  !! gets the fault
-        call faults%add(new_fault(grade, conic_fields(first)%first, conic_fields(last)%last, message))
+        call faults%add(new_fault(grade, conic_fields(first)%first, conic_fields(last)%last, &
+            message))
     end subroutine add_fault
 
 end module body_card_arc
