@@ -32,7 +32,7 @@ module period_convert
 
 contains
 
-    !> The word of a decimal, truncated to 14 hexadecimal digits; it traps on overflow and underflow.
+    !> The word of a decimal, truncated to 14 hexadecimal digits. Traps on overflow and underflow.
     elemental type(hex_type) function from_decimal(decimal) result(word)
         type(decimal_type), intent(in) :: decimal !! any decimal
         type(large_type) :: large

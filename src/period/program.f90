@@ -41,9 +41,9 @@ contains
 
     !> Runs one card. What the card has printed before an error stays printed.
     !>
-    !> Fails with `cause%singular` and `cause%increment` where the page has the program's own message;
-    !> with `cause%overflow`, `%underflow` or `%divide` where the machine would have stopped the
-    !> card; with `cause%too_many` where a table would be longer than `largest_table`.
+    !> Fails with `cause%singular` and `cause%increment` where the page has the program's own
+    !> message; with `cause%overflow`, `%underflow` or `%divide` where the machine would have stopped
+    !> the card; with `cause%too_many` where a table would be longer than `largest_table`.
     subroutine run_card(card, shift, printer, out, error)
         type(period_card_type), intent(in) :: card          !! the card, deck units
         type(decimal_type), intent(in) :: shift             !! added to every X and Y, deck units
@@ -103,7 +103,7 @@ contains
 
     !> Finds the coefficients.
     pure subroutine solve_conic(conic, error)
-        type(conic_type), intent(inout) :: conic            !! the conditions; coefficients on return
+        type(conic_type), intent(inout) :: conic            !! conditions; solved on return
         type(error_type), allocatable, intent(out) :: error !! `cause%singular`, `%overflow`, ...
         type(hex_type) :: w(5, 6)
         logical :: solved
@@ -212,7 +212,7 @@ contains
         type(table_type), intent(in) :: table               !! the table
         type(printer_type), intent(in) :: printer           !! how lines leave
         type(output_type), intent(inout) :: out             !! where to
-        type(error_type), allocatable, intent(out) :: error !! as `print_table`, and `cause%increment`
+        type(error_type), allocatable, intent(out) :: error !! `cause%increment`, others
 
         if (is_zero(table%step)) then
             call printer%print('       INVALID INCREMENT OF X OR Y', out)

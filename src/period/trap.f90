@@ -10,7 +10,7 @@ contains
 
     !> Makes an error of a trap, none of 0.
     pure subroutine interrupt(trap, place, error)
-        integer, intent(in) :: trap                         !! 0, `cause%overflow`, `%underflow`, `%divide`
+        integer, intent(in) :: trap                         !! 0, `cause%overflow`, ...
         character(*), intent(in) :: place                   !! where, as `in the field X1`
         type(error_type), allocatable, intent(out) :: error !! allocated unless the trap is 0
 

@@ -63,7 +63,8 @@ contains
         call pattern(999999999999999999_i64, -96, '001DA48CE468E7C7', 'just below 1.E-78')
         call pattern(123456789012345678_i64, -40, '2DEECCD744F5C259', '1.23...E-23')
         call pattern(-123456789012345678_i64, 30, 'E8159FFE6F22FD5C', '-1.23...E47')
-        call pattern(7237005577332262213_i64, 57, '7FFFFFFFFFFFFFFF', 'the last 19 digits below 16**63')
+        call pattern(7237005577332262213_i64, 57, '7FFFFFFFFFFFFFFF', &
+            'the last 19 digits below 16**63')
     end subroutine check_far_powers
 
     !> Beyond the range.
@@ -93,8 +94,8 @@ contains
         if (why == cause%underflow) call tap%ok(is_zero(word), name//' is zero')
     end subroutine traps
 
-    !> Random numbers of up to 15 digits with up to 15 decimals: fraction*16**(e - 14) must be at most the
-    !> number, and one more in the last place above it; both times 10**decimals*16**(14 - e), exactly.
+    !> Random numbers of up to 15 digits with up to 15 decimals: fraction*16**(e - 14) must be at
+    !> most the number, and one more in the last place above it; both times 10**decimals*16**(14 - e).
     subroutine check_random()
         integer(i128) :: number, scale, fraction, raise
         type(hex_type) :: word

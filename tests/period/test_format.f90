@@ -1,5 +1,5 @@
-!> F fields of the 1970 page: by hand, and on random words against the runtime's own output of the same
-!> number in 113 bits, told to round half away from zero.
+!> F fields of the 1970 page: by hand, and on random words against the runtime's own output of the
+!> same number in 113 bits, told to round half away from zero.
 program test_format
     use, intrinsic :: iso_fortran_env, only: real128
     use base_decimal, only: decimal_type
@@ -35,9 +35,11 @@ contains
         call tap%same(fixed(word(999999, -3), 10, 5), ' 999.99900', 'the vertical slope')
         call tap%same(fixed(word(-2608, -8), 11, 8), '-0.00002608', 'a coefficient')
         call tap%same(fixed(whole(7), 5, 0), '   7.', 'no decimals')
-        call tap%same(fixed(word(1, -20), 17, 12), '   0.000000000000', 'a small number in a wide field')
+        call tap%same(fixed(word(1, -20), 17, 12), '   0.000000000000', &
+            'a small number in a wide field')
         call tap%same(fixed(word(1, -70), 9, 3), '    0.000', 'a tiny number')
-        call tap%same(fixed(whole(2147483647), 14, 3), '2147483647.000', 'a large number that just fits')
+        call tap%same(fixed(whole(2147483647), 14, 3), '2147483647.000', &
+            'a large number that just fits')
     end subroutine check_plain
 
     !> Exact halves, in binary too, go away from zero; what is just below a half does not.
@@ -47,7 +49,8 @@ contains
         call tap%same(fixed(word(1875, -4), 9, 3), '    0.188', '.1875 goes up')
         call tap%same(fixed(word(5, -1), 4, 0), '  1.', '.5 goes up')
         call tap%same(fixed(word(25, -1), 4, 0), '  3.', '2.5 goes up')
-        call tap%same(fixed(word(5, -4), 9, 3), '    0.000', '.0005, cut to a word, is below a half')
+        call tap%same(fixed(word(5, -4), 9, 3), '    0.000', &
+            '.0005, cut to a word, is below a half')
         call tap%same(fixed(word(99995, -1), 9, 0), '   10000.', 'rounding makes a digit more')
         call tap%same(fixed(word(9999, -4), 9, 3), '    1.000', 'rounding carries through')
     end subroutine check_ties
@@ -60,7 +63,8 @@ contains
         call tap%same(fixed(whole(0), 5, 1), '  0.0', 'exact zero, F5.1')
         call tap%same(fixed(whole(0), 5, 0), '   0.', 'exact zero, F5.0')
         call tap%same(fixed(whole(0), 3, 2), '***', 'exact zero without room for its digit')
-        call tap%same(fixed(word(-4, -4), 9, 3), '    0.000', 'below zero and rounded to zero: no minus')
+        call tap%same(fixed(word(-4, -4), 9, 3), '    0.000', &
+            'below zero and rounded to zero: no minus')
         call tap%same(fixed(word(-6, -4), 9, 3), '   -0.001', 'below zero and not rounded to zero')
     end subroutine check_zero
 
@@ -71,7 +75,8 @@ contains
         call tap%same(fixed(word(999999996, -4), 9, 3), '*********', 'rounding makes it too wide')
         call tap%same(fixed(word(-99999999, -3), 9, 3), '*********', 'a minus makes it too wide')
         call tap%same(fixed(whole(100000), 9, 3), '*********', 'a figure too wide')
-        call tap%same(fixed(from_bits(int(z'7FFFFFFFFFFFFFFF', i64)), 9, 3), '*********', 'the largest word')
+        call tap%same(fixed(from_bits(int(z'7FFFFFFFFFFFFFFF', i64)), 9, 3), '*********', &
+            'the largest word')
         call tap%same(fixed(from_bits(int(z'4F10000000000000', i64)), 17, 0), '*****************', &
             '16**14 has 17 digits and no room for its point')
         call tap%same(fixed(from_bits(int(z'4E10000000000000', i64)), 17, 0), '4503599627370496.', &
@@ -105,8 +110,10 @@ contains
             mine = fixed(a, 13, 8)
             if (mine /= runtime) wrong(2) = wrong(2) + 1
         end do
-        call tap%ok(wrong(1) == 0, 'random words in F13.3 are as the runtime writes them in 113 bits')
-        call tap%ok(wrong(2) == 0, 'random words in F13.8 are as the runtime writes them in 113 bits')
+        call tap%ok(wrong(1) == 0, &
+            'random words in F13.3 are as the runtime writes them in 113 bits')
+        call tap%ok(wrong(2) == 0, &
+            'random words in F13.8 are as the runtime writes them in 113 bits')
     end subroutine check_random
 
 end program test_format

@@ -8,7 +8,8 @@ program test_printer
     character, parameter :: lf = new_line('a'), ff = achar(12)
     type(tap_type) :: tap
 
-    call tap%same(printed(.false.), ff//'NEW PAGE'//lf//'  NEXT'//lf//lf//'AFTER A BLANK LINE'//lf//lf, &
+    call tap%same(printed(.false.), &
+        ff//'NEW PAGE'//lf//'  NEXT'//lf//lf//'AFTER A BLANK LINE'//lf//lf, &
         'on paper control is a form feed or a blank line and its column is gone')
     call tap%same(printed(.true.), '1NEW PAGE'//lf//'   NEXT'//lf//'0AFTER A BLANK LINE'//lf//lf, &
         'with its control column a line stays as it is, less blanks at its end')

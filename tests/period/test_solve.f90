@@ -47,7 +47,8 @@ contains
         call solve_array(w, solved)
         call tap%ok(solved .and. all(w%trap == 0), name//' is solved')
         do i = 1, 5
-            call tap%near(to_real(w(i, 6)), expected(i), 1.0e-11_dp, name//', coefficient '//'ABCDE'(i:i))
+            call tap%near(to_real(w(i, 6)), expected(i), 1.0e-11_dp, &
+                name//', coefficient '//'ABCDE'(i:i))
         end do
     end subroutine check_known
 
@@ -94,7 +95,8 @@ contains
         call tap%ok(.not. solved .and. all(w%trap == 0), 'a point at the origin has no solution')
         w = array_of(conditions([0, 0, 0, 0, 0, 0], [0, 0]))
         call solve_array(w, solved)
-        call tap%ok(.not. solved .and. all(w%trap == 0), 'a blank card without shift has no solution')
+        call tap%ok(.not. solved .and. all(w%trap == 0), &
+            'a blank card without shift has no solution')
     end subroutine check_singular
 
     !> A trap in the array ends the solution and stays to be seen.

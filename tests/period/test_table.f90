@@ -1,4 +1,4 @@
-!> Tables of conics whose ordinates are plain numbers; the 1970 root is good to 6 hexadecimal digits.
+!> Tables of conics whose ordinates are plain numbers: their roots fit 6 hexadecimal digits.
 program test_table
     use base_decimal, only: decimal_type
     use base_error, only: cause, error_type
@@ -45,15 +45,16 @@ contains
         if (allocated(error)) why = error%cause
     end subroutine run
 
-    !> x**2 + y**2 = 16 divided by -16, exact in hexadecimal: at 0 both roots are 4, at 4 both 0; the
-    !> root with plus over a negative coefficient is the lower one.
+    !> x**2 + y**2 = 16 divided by -16, exact in hexadecimal: at 0 the roots are 4 and -4, at 4 both
+    !> are 0; the root with plus over a negative coefficient is the lower one.
     subroutine check_roots()
         character(:), allocatable :: page
         integer :: why
         call run(table_of([-4, 8, 4], [-1, 0, -1, 0, 0], 16), page, why)
         call tap%same(page, &
             '          0.000    -4.000     4.000'//lf// &
-            '          4.000     0.000     0.000'//lf, 'a circle: both roots, on the axis and at its end')
+            '          4.000     0.000     0.000'//lf, &
+                'a circle: both roots, on the axis and at its end')
         call tap%ok(why == 0, 'a circle has no error')
     end subroutine check_roots
 
@@ -86,8 +87,8 @@ contains
         table = table_of([0, 1, 1], [0, 0, 0, 2, -1], 1)
         table%step = from_decimal(decimal_type(1_i64, -1))
         call run(table, page, why)
-        call tap%ok(index(page, '          1.000     3.000     0.000'//lf) > 0 .and. len(page) == 10*36, &
-            'a step that is cut falls short of X3 and prints it')
+        call tap%ok(index(page, '          1.000     3.000     0.000'//lf) > 0 &
+            .and. len(page) == 10*36, 'a step that is cut falls short of X3 and prints it')
         table = table_of([3, 0, -1], [0, 0, 0, 2, -1], 1)
         call run(table, page, why)
         call tap%same(page, &

@@ -2,8 +2,8 @@
 program test_word
     use base_error, only: cause
     use base_kinds, only: dp, i64
-    use period_word, only: bits, from_bits, hex_type, is_negative, is_positive, is_zero, normalised, &
-        single, to_real, whole
+    use period_word, only: bits, from_bits, hex_type, is_negative, is_positive, is_zero, &
+        normalised, single, to_real, whole
     use support_tap, only: tap_type
     implicit none (type, external)
 
@@ -34,7 +34,8 @@ contains
         call pattern(whole(1), '4110000000000000', 'one')
         call pattern(whole(-1), 'C110000000000000', 'minus one')
         call pattern(whole(100), '4264000000000000', 'a hundred')
-        call pattern(whole(-118), 'C276000000000000', 'minus 118, the example of the manual without .625')
+        call pattern(whole(-118), 'C276000000000000', &
+            'minus 118, the example of the manual without .625')
         call pattern(whole(15), '41F0000000000000', 'fifteen is one digit')
         call pattern(whole(16), '4210000000000000', 'sixteen is two digits')
         call pattern(whole(2147483647), '487FFFFFFF000000', 'the largest whole number')
@@ -43,8 +44,10 @@ contains
     !> 15 digits in, the first 14 that are not leading zeros kept.
     subroutine check_normalising()
         integer(i64), parameter :: guard_f = int(z'123456789ABCDEF', i64)
-        call pattern(normalised(guard_f, 1, 0), '41123456789ABCDE', 'the guard digit is cut, not rounded')
-        call pattern(normalised(-guard_f, 1, 0), 'C1123456789ABCDE', 'below zero it is cut towards zero')
+        call pattern(normalised(guard_f, 1, 0), '41123456789ABCDE', &
+            'the guard digit is cut, not rounded')
+        call pattern(normalised(-guard_f, 1, 0), 'C1123456789ABCDE', &
+            'below zero it is cut towards zero')
         call pattern(normalised(int(z'0123456789ABCDE', i64), 1, 0), '40123456789ABCDE', &
             'one leading zero: the guard digit moves in')
         call pattern(normalised(int(z'000000000000001', i64), 1, 0), '3310000000000000', &
@@ -56,14 +59,16 @@ contains
             'a pattern that is not normalised becomes so')
         call pattern(from_bits(int(z'4200000000000000', i64)), '0000000000000000', &
             'a pattern without fraction is true zero')
-        call pattern(from_bits(int(z'7FFFFFFFFFFFFFFF', i64)), '7FFFFFFFFFFFFFFF', 'the largest word')
-        call pattern(from_bits(int(z'0010000000000000', i64)), '0010000000000000', 'the smallest word')
+        call pattern(from_bits(int(z'7FFFFFFFFFFFFFFF', i64)), '7FFFFFFFFFFFFFFF', &
+            'the largest word')
+        call pattern(from_bits(int(z'0010000000000000', i64)), '0010000000000000', &
+            'the smallest word')
         call pattern(from_bits(ibset(int(z'40123456789ABCDE', i64), 63)), 'C0123456789ABCDE', &
             'the sign bit is a minus')
         call pattern(single(from_bits(int(z'40123456FFFFFFFF', i64))), '4012345600000000', &
             'single precision keeps 6 digits')
-        call pattern(single(from_bits(ibset(int(z'40123456FFFFFFFF', i64), 63))), 'C012345600000000', &
-            'single precision cuts towards zero')
+        call pattern(single(from_bits(ibset(int(z'40123456FFFFFFFF', i64), 63))), &
+            'C012345600000000', 'single precision cuts towards zero')
     end subroutine check_normalising
 
     !> The powers 16**-65 to 16**63; a trap that is there already stays.
@@ -88,7 +93,8 @@ contains
         word = normalised(16_i64*one, -65, 0)
         call tap%ok(word%trap == 0, 'a carry brings the power -65 into range')
         word = normalised(one, -65, cause%divide)
-        call tap%ok(word%trap == cause%divide .and. is_zero(word), 'an older trap wins over an underflow')
+        call tap%ok(word%trap == cause%divide .and. is_zero(word), &
+            'an older trap wins over an underflow')
         word = normalised(one, 64, cause%divide)
         call tap%ok(word%trap == cause%divide, 'an older trap wins over an overflow')
         word = normalised(0_i64, 64, cause%divide)
@@ -97,8 +103,8 @@ contains
 
     !> Words as doubles, rounded.
     subroutine check_reals()
-        call tap%near(to_real(from_bits(ibset(int(z'4276A00000000000', i64), 63))), -118.625_dp, 0.0_dp, &
-            'C276A is -118.625, the example of the manual')
+        call tap%near(to_real(from_bits(ibset(int(z'4276A00000000000', i64), 63))), &
+            -118.625_dp, 0.0_dp, 'C276A is -118.625, the example of the manual')
         call tap%near(to_real(from_bits(int(z'4019999999999999', i64))), 0.1_dp, 2.0_dp**(-56), &
             'a tenth cut to 14 digits is a tenth')
         call tap%near(to_real(from_bits(int(z'0010000000000000', i64))), 16.0_dp**(-65), 0.0_dp, &
@@ -110,7 +116,8 @@ contains
 
     !> Signs.
     subroutine check_predicates()
-        call tap%ok(all(is_zero(whole([-1, 0, 1])) .eqv. [.false., .true., .false.]), 'only zero is zero')
+        call tap%ok(all(is_zero(whole([-1, 0, 1])) .eqv. [.false., .true., .false.]), &
+            'only zero is zero')
         call tap%ok(all(is_positive(whole([-1, 0, 1])) .eqv. [.false., .false., .true.]), &
             'zero is not positive')
         call tap%ok(all(is_negative(whole([-1, 0, 1])) .eqv. [.true., .false., .false.]), &
