@@ -150,7 +150,7 @@ contains
         if (i > 0) call faults%add(new_fault(severity%error, i, i, &
             'a tab on a card; fields go by columns, so put blanks in its place'))
         if (line%filled <= card_columns) return
-        call faults%add(new_fault(severity%error, card_columns + 1, int(line%filled), &
+        call faults%add(new_fault(severity%error, card_columns + 1, line%filled, &
             'text beyond column '//to_text(card_columns)//'; a card has '// &
             to_text(card_columns)//' columns, the last two free for a sequence number'))
     end subroutine check_columns
@@ -215,18 +215,19 @@ contains
         integer, intent(in) :: from                     !! field of the ordinate of point 1
         integer, intent(in) :: to                       !! field of the ordinate of point 3
         type(fault_list_type), intent(inout) :: faults  !! what is wrong is added
-        character(:), allocatable :: trouble
+        character(:), allocatable :: name, trouble
         real(dp) :: way
 
         if (card%steps_well(step)) return
         way = card%real(to) - card%real(from)
-        associate (field => conic_fields(step), name => trim(conic_fields(step)%name))
+        name = trim(conic_fields(step)%name)
+        associate (field => conic_fields(step))
             if (card%value(step)%digits == 0) then
                 trouble = name//' is zero where a table is asked for; punch an increment'
                 if (step == conic%xi) trouble = trouble//', or ITYP and YI for a Y table alone'
             else
                 trouble = name//' has the wrong sign; from '//compact(card%real(from))//' to '// &
-                    compact(card%real(to))//' it is '//trim(merge('positive', 'negative', way > 0.0_dp))
+                    compact(card%real(to))//' it is '//merge('positive', 'negative', way > 0.0_dp)
             end if
             call faults%add(new_fault(severity%error, field%first, field%last, trouble))
         end associate
