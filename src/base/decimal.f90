@@ -8,13 +8,15 @@ module base_decimal
 
     public :: decimal_type, grid_type, new_grid, to_real
 
-    !> Largest power of ten of a decimal; beyond it a card field is refused as out of range.
-    integer, parameter, public :: largest_power = 280
+    !> Largest power of ten of a card field, which beyond it is refused as out of range. It is more
+    !> than a System/360 number holds (7.2E75), and so little that no product of three coordinates
+    !> overflows a double.
+    integer, parameter, public :: largest_power = 80
 
     !> An exact decimal number, `digits * 10**power`.
     type :: decimal_type
         integer(i64) :: digits = 0 !! signed whole number, at most 18 digits
-        integer :: power = 0       !! power of ten, `-largest_power` to `largest_power`
+        integer :: power = 0       !! power of ten, -290 to 280; on a card to `largest_power`
     end type decimal_type
 
     !> Stepped ordinates `start + k*step`, k any whole number, worked exactly.

@@ -38,6 +38,7 @@ module deck_number
 
     !> A number half read.
     type :: state_type
+        logical :: is_whole = .false.   !! a whole number is asked for
         integer :: at = 1               !! one of `stage%...`
         integer :: figures = 0          !! figures met, leading zeros not counted
         integer :: met = 0              !! figures punched, leading zeros counted
@@ -45,70 +46,87 @@ module deck_number
         integer :: sign = 1             !! of the number
         integer :: exponent = 0         !! size of the exponent
         integer :: exponent_sign = 1    !! of the exponent
-        integer :: exponent_digits = 0  !! digits met in the exponent
-        integer :: blanks = 0           !! blanks met since the last other character
+        logical :: is_signed = .false.  !! the exponent has its sign
+        integer :: exponent_met = 0     !! figures punched in the exponent
+        integer :: blanks = 0           !! blanks since the last other character that count as zeros
     end type state_type
 
 contains
 
     !> Reads a field. Where it is no number, `first`, `last` and `trouble` say why, and the value is
     !> zero. `implied` is the number of decimals without a punched point (F8.3: 3); a negative one
-    !> asks for a whole number (I format), where a point is a fault.
+    !> asks for a whole number (I format), where a point or an exponent is a fault.
     pure function read_number(field, implied) result(number)
         character(*), intent(in) :: field !! the columns of the field
         integer, intent(in) :: implied    !! implied decimals, or -1 for a whole number
         type(number_type) :: number
         type(state_type) :: state
-        integer :: i, last
+        integer :: i, first, last
 
         number%is_blank = field == ''
         if (number%is_blank) return
+        first = verify(field, ' ')
         last = len_trim(field)
+        state%is_whole = implied < 0
         do i = 1, len(field)
-            call take(number, state, upper(field(i:i)), i, implied < 0)
+            call take(number, state, upper(field(i:i)), i)
             if (number%first > 0) return
         end do
         if (state%met == 0) then
-            call blame(number, 1, last, 'there is no figure in the number')
-        else if (state%at == stage%power .and. state%exponent_digits == 0) then
+            call blame(number, first, last, 'there is no figure in the number')
+        else if (state%at == stage%power .and. state%exponent_met == 0) then
             call blame(number, last, last, 'the exponent has no figures')
         else
-            call settle(number, state, max(implied, 0), last)
+            call settle(number, state, max(implied, 0), [first, last])
         end if
     end function read_number
 
     !> Takes one character of a number.
-    pure subroutine take(number, state, letter, i, is_whole)
+    pure subroutine take(number, state, letter, i)
         type(number_type), intent(inout) :: number !! the number so far
         type(state_type), intent(inout) :: state   !! where its reading stands
         character, intent(in) :: letter            !! the character, upper case
         integer, intent(in) :: i                   !! its place in the field
-        logical, intent(in) :: is_whole            !! a point is not allowed
 
         select case (letter)
         case (' ')
-            if (state%at >= stage%figures) call take_digit(number, state, 0, i)
-            if (state%at >= stage%figures) state%blanks = state%blanks + 1
+            call take_blank(number, state, i)
         case ('0':'9')
             if (state%blanks > 0) number%has_filled_blank = .true.
             call take_digit(number, state, iachar(letter) - iachar('0'), i)
-            if (state%at < stage%figures) state%at = stage%figures
-            state%met = state%met + merge(1, 0, state%at == stage%figures)
+            if (state%at == stage%power) then
+                state%exponent_met = state%exponent_met + 1
+            else
+                state%at = stage%figures
+                state%met = state%met + 1
+            end if
         case ('.')
-            call take_point(number, state, i, is_whole)
+            call take_point(number, state, i)
         case ('+', '-')
             call take_sign(number, state, merge(-1, 1, letter == '-'), i)
         case ('E', 'D')
-            if (state%at /= stage%figures) then
-                call blame(number, i, i, 'the exponent letter stands where no figure is before it')
-            else
-                state%at = stage%power
-                number%has_exponent = .true.
-            end if
+            call take_power(number, state, i)
         case default
             call blame(number, i, i, stranger(letter))
         end select
     end subroutine take
+
+    !> Takes a blank: a zero once the figures or the exponent have begun. It is counted where the
+    !> zero may change the number.
+    pure subroutine take_blank(number, state, i)
+        type(number_type), intent(inout) :: number !! the number so far
+        type(state_type), intent(inout) :: state   !! where its reading stands
+        integer, intent(in) :: i                   !! its place in the field
+
+        select case (state%at)
+        case (stage%figures)
+            if (state%figures > 0 .or. number%has_point) state%blanks = state%blanks + 1
+            call take_digit(number, state, 0, i)
+        case (stage%power)
+            if (state%exponent > 0) state%blanks = state%blanks + 1
+            call take_digit(number, state, 0, i)
+        end select
+    end subroutine take_blank
 
     !> Takes a digit, punched or a blank that counts as zero, into the figures or the exponent.
     pure subroutine take_digit(number, state, digit, i)
@@ -119,7 +137,6 @@ contains
 
         if (state%at == stage%power) then
             state%exponent = min(10*state%exponent + digit, exponent_bound)
-            state%exponent_digits = state%exponent_digits + 1
             return
         end if
         if (state%figures > 0 .or. digit > 0) state%figures = state%figures + 1
@@ -132,13 +149,12 @@ contains
     end subroutine take_digit
 
     !> Takes the decimal point.
-    pure subroutine take_point(number, state, i, is_whole)
+    pure subroutine take_point(number, state, i)
         type(number_type), intent(inout) :: number !! the number so far
         type(state_type), intent(inout) :: state   !! where its reading stands
         integer, intent(in) :: i                   !! its place in the field
-        logical, intent(in) :: is_whole            !! a point is not allowed
 
-        if (is_whole) then
+        if (state%is_whole) then
             call blame(number, i, i, 'a point in a whole number')
         else if (state%at == stage%power) then
             call blame(number, i, i, 'a point in the exponent')
@@ -162,23 +178,43 @@ contains
         if (state%at == stage%before) then
             state%sign = sign
             state%at = stage%signed
-        else if (state%at == stage%figures .and. state%met > 0) then
-            state%exponent_sign = sign
-            state%at = stage%power
-            number%has_exponent = .true.
-        else if (state%at == stage%power .and. state%exponent_digits == 0) then
-            state%exponent_sign = sign
-        else
+            return
+        end if
+        if (state%at == stage%figures .and. state%met > 0 .and. .not. state%is_whole) then
+            call take_power(number, state, i)
+        else if (state%at /= stage%power .or. state%exponent_met > 0 .or. state%is_signed) then
             call blame(number, i, i, 'a sign inside the number')
         end if
+        state%exponent_sign = sign
+        state%is_signed = .true.
     end subroutine take_sign
 
+    !> Takes the letter, or the bare sign, that begins the exponent.
+    pure subroutine take_power(number, state, i)
+        type(number_type), intent(inout) :: number !! the number so far
+        type(state_type), intent(inout) :: state   !! where its reading stands
+        integer, intent(in) :: i                   !! its place in the field
+
+        if (state%is_whole) then
+            call blame(number, i, i, 'an exponent in a whole number')
+        else if (state%at == stage%power) then
+            call blame(number, i, i, 'a second exponent letter in the number')
+        else if (state%met == 0) then
+            call blame(number, i, i, 'the exponent letter stands where no figure is before it')
+        else
+            if (state%blanks > 0 .and. .not. number%has_point) number%has_filled_blank = .true.
+            state%blanks = 0
+            number%has_exponent = .true.
+            state%at = stage%power
+        end if
+    end subroutine take_power
+
     !> Puts sign, point and exponent together.
-    pure subroutine settle(number, state, implied, last)
+    pure subroutine settle(number, state, implied, range)
         type(number_type), intent(inout) :: number !! the figures taken
         type(state_type), intent(in) :: state      !! all that was read
         integer, intent(in) :: implied             !! decimals without a punched point
-        integer, intent(in) :: last                !! last character punched
+        integer, intent(in) :: range(2)            !! first and last character punched
 
         number%value%digits = int(state%sign, i64)*number%value%digits
         number%value%power = state%exponent_sign*state%exponent &
@@ -186,8 +222,12 @@ contains
         number%has_filled_blank = number%has_filled_blank .or. &
             (state%blanks > 0 .and. (.not. number%has_point .or. number%has_exponent))
         if (number%value%digits == 0) number%value%power = 0
-        if (abs(number%value%power) > largest_power) then
-            call blame(number, 1, last, 'the number is out of range')
+        if (abs(number%value%power) <= largest_power) return
+        if (number%has_exponent .and. state%blanks > 0) then
+            call blame(number, range(1), range(2), &
+                'the number is out of range; a blank behind its exponent is a zero')
+        else
+            call blame(number, range(1), range(2), 'the number is out of range')
         end if
     end subroutine settle
 
