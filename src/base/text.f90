@@ -5,7 +5,7 @@ module base_text
     implicit none (type, external)
     private
 
-    public :: upper, to_text, compact, counted, columns, row_of, right
+    public :: upper, to_text, compact, counted, columns, row_of, right, characters, first_bytes
 
     interface to_text
         module procedure integer_text, long_text
@@ -74,24 +74,26 @@ contains
         text = trim(field)
     end function long_text
 
-    !> A number for a sentence: up to seven figures, no trailing zeros (`12.5`, `-0.001`, `3.e+20`).
+    !> A number for a sentence: up to six decimals, or up to six figures and a power of ten, no zeros
+    !> at the end (`12.5`, `-0.001`, `7.`, `3.E+20`).
     pure function compact(value) result(text)
-        real(dp), intent(in) :: value !! any number
+        real(dp), intent(in) :: value !! a finite number
         character(:), allocatable :: text
         character(32) :: field
-        integer :: last
+        integer :: power
 
         if (abs(value) < 1.0e7_dp .and. (abs(value) >= 1.0e-4_dp .or. is_zero(value))) then
-            write (field, '(f0.6)') value
-            last = verify(trim(field), '0', back=.true.)
-            text = field(:last)
-            if (text(1:1) == '.') text = '0'//text
-            if (text(1:1) == '-' .and. text(2:2) == '.') text = '-0'//text(2:)
-            if (text == '0.' .or. text == '-0.') text = '0.'
+            write (field, '(f0.6)') merge(0.0_dp, value, is_zero(value))
+            power = len_trim(field) + 1
         else
-            write (field, '(es12.5)') value
-            text = trim(adjustl(field))
+            write (field, '(es15.5e3)') value
+            field = adjustl(field)
+            power = index(field, 'E')
+            if (field(power + 2:power + 2) == '0') field(power + 2:) = field(power + 3:)
         end if
+        text = field(:verify(field(:power - 1), '0', back=.true.))//trim(field(power:))
+        if (text(1:1) == '.') text = '0'//text
+        if (index(text, '-.') == 1) text = '-0'//text(2:)
     end function compact
 
     !> A count with its noun: `1 card`, `2 cards`.
@@ -102,5 +104,33 @@ contains
         text = long_text(number)//' '//noun
         if (number /= 1) text = text//'s'
     end function counted
+
+    !> Characters of a text in UTF-8: bytes that don't continue one.
+    pure integer function characters(text)
+        character(*), intent(in) :: text !! any text
+        integer :: i
+        characters = 0
+        do i = 1, len(text)
+            if (begins_character(text(i:i))) characters = characters + 1
+        end do
+    end function characters
+
+    !> Bytes that the first characters of a text in UTF-8 take: all of it where it has no more.
+    pure integer function first_bytes(text, count)
+        character(*), intent(in) :: text !! any text
+        integer, intent(in) :: count     !! how many characters
+        integer :: met
+        met = 0
+        do first_bytes = 0, len(text) - 1
+            if (begins_character(text(first_bytes + 1:first_bytes + 1))) met = met + 1
+            if (met > count) return
+        end do
+    end function first_bytes
+
+    !> True for a byte that begins a character in UTF-8, as every ASCII byte does.
+    elemental logical function begins_character(byte)
+        character, intent(in) :: byte !! any byte
+        begins_character = iand(ichar(byte), 192) /= 128
+    end function begins_character
 
 end module base_text

@@ -63,7 +63,7 @@ contains
             if (.not. has_line) exit
             if (line%has_null) then
                 call refuse_binary(deck, line, faults)
-            else if (line%text == '') then
+            else if (line%filled == 0) then
                 cycle
             else if (line%text(1:1) == '*') then
                 deck%comment = trim(adjustl(line%text(2:)))
@@ -102,18 +102,20 @@ contains
         type(line_type), intent(in) :: line             !! the line
         type(fault_list_type), intent(inout) :: faults  !! what is wrong is added
         character(:), allocatable :: word
-        integer :: before
+        integer :: before, first, last
 
         word = card_word(line)
+        first = verify(line%text, ' ')
+        last = first + len(word) - 1
         before = faults%count
         if (allocated(deck%comment)) deallocate (deck%comment)
         if (deck%cards > 0) then
-            call faults%add(new_fault(severity%error, 1, min(8, len(word)), word//' in a 1970 deck;'// &
-                ' only TITLE and UNITS may stand there, before the first conic card'))
+            call faults%add(new_fault(severity%error, first, last, word//' in a 1970 deck; only'// &
+                ' TITLE and UNITS may stand there, before the first conic card'))
         else if (word == 'TITLE' .or. word == 'UNITS') then
             call read_heading_card(line, deck%heading, faults)
         else
-            call faults%add(new_fault(severity%error, 1, min(8, len(word)), word//' begins no card'// &
+            call faults%add(new_fault(severity%error, first, last, word//' begins no card'// &
                 ' of a 1970 deck; a conic card has X1 in columns 1-8, a comment * in column 1'))
         end if
         call faults%place(before, line%number, line%text)
@@ -130,8 +132,8 @@ contains
         deck%end_line = line%number
         before = faults%count
         if (columns(line%text, 9, last_read_column) == '') return
-        call faults%add(new_fault(severity%warning, 9, min(last_read_column, len_trim(line%text)), 'X1 of 999.99 '// &
-            'or more ends a 1970 deck; the rest of this card is not used'))
+        call faults%add(new_fault(severity%warning, 9, min(last_read_column, len_trim(line%text)), &
+            'X1 of 999.99 or more ends a 1970 deck; the rest of this card is not used'))
         call faults%place(before, line%number, line%text)
     end subroutine take_end
 
@@ -144,7 +146,7 @@ contains
 
         deck%is_binary = .true.
         before = faults%count
-        column = max(1, index(line%text, achar(0)))
+        column = index(line%text, achar(0))
         call faults%add(new_fault(severity%error, column, column, 'a null byte: this is a binary file,'// &
             ' not a deck of cards; nothing more of it is read'))
         call faults%place(before, line%number, '')

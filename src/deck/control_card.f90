@@ -5,7 +5,7 @@
 !>     UNITS   INCHES
 module deck_control_card
     use base_fault, only: fault_list_type, new_fault, severity
-    use base_text, only: columns, to_text, upper
+    use base_text, only: columns, first_bytes, to_text, upper
     use deck_layout, only: card_columns, title_fields, units_fields
     use deck_source, only: line_type
     implicit none (type, external)
@@ -53,9 +53,10 @@ contains
 
         before = faults%count
         bad = scan(line%text, control_bytes())
-        if (bad > 0) call faults%add(new_fault(severity%error, bad, bad, &
-            'a tab or control byte on a card; put blanks in its place'))
-        if (upper(line%text(1:1)) == 'T') then
+        if (bad > 0) then
+            call faults%add(new_fault(severity%error, bad, bad, &
+                'a tab or control byte on a card; put blanks in its place'))
+        else if (card_word(line) == 'TITLE') then
             call read_title(line, heading, faults)
         else
             call read_units(line, heading, faults)
@@ -63,19 +64,21 @@ contains
         call faults%place(before, line%number, line%text)
     end subroutine read_heading_card
 
-    !> Reads a TITLE card.
+    !> Reads a TITLE card. A column of it is a character, which in UTF-8 may be several bytes.
     subroutine read_title(line, heading, faults)
         type(line_type), intent(in) :: line             !! the line
         type(heading_type), intent(inout) :: heading    !! gets the title
         type(fault_list_type), intent(inout) :: faults  !! what is wrong with it is added
+        integer :: room
 
         call check_field('TITLE', title_fields(2)%first, line, heading%has_title, faults)
-        if (characters(trim(line%text)) > card_columns) then
-            call faults%add(new_fault(severity%error, card_columns + 1, len_trim(line%text), &
+        room = first_bytes(line%text, card_columns)
+        if (line%filled > room) then
+            call faults%add(new_fault(severity%error, room + 1, line%filled, &
                 'text beyond column '//to_text(card_columns)//'; shorten the title'))
         end if
         heading%has_title = .true.
-        heading%title = trim(columns(line%text, title_fields(2)%first, len(line%text)))
+        heading%title = trim(columns(line%text, title_fields(2)%first, room))
     end subroutine read_title
 
     !> Reads a UNITS card.
@@ -89,8 +92,8 @@ contains
         heading%has_units = .true.
         associate (field => units_fields(2))
             text = upper(columns(line%text, field%first, field%last))
-            if (len_trim(line%text) > field%last) then
-                call faults%add(new_fault(severity%error, field%last + 1, len_trim(line%text), &
+            if (line%filled > field%last) then
+                call faults%add(new_fault(severity%error, field%last + 1, line%filled, &
                     'text outside the columns; the unit stands in columns 9-16'))
             end if
             select case (text)
@@ -122,16 +125,6 @@ contains
                 'a second '//word//' card; a deck has one'))
         end if
     end subroutine check_field
-
-    !> Characters of a text in UTF-8: bytes that don't continue one.
-    pure integer function characters(text)
-        character(*), intent(in) :: text !! any text
-        integer :: i
-        characters = 0
-        do i = 1, len(text)
-            if (iand(ichar(text(i:i)), 192) /= 128) characters = characters + 1
-        end do
-    end function characters
 
     !> The bytes below blank, and delete.
     pure function control_bytes() result(bytes)

@@ -26,6 +26,7 @@ module deck_source
         character(:), allocatable :: text   !! the first `kept_length` bytes
         integer(i64) :: number = 0          !! line of the file, from 1
         integer(i64) :: length = 0          !! bytes in the whole line
+        integer :: filled = 0               !! the last byte of it that is not a blank
         logical :: has_null = .false.       !! a null byte was met: this is no text file
     end type line_type
 
@@ -115,6 +116,9 @@ contains
 
         room = max(0_i64, kept_length - line%length)
         line%text = line%text//piece(:min(room, len(piece, i64)))
+        if (piece /= '') then
+            line%filled = int(min(line%length + len_trim(piece, i64), int(huge(line%filled), i64)))
+        end if
         line%length = line%length + len(piece, i64)
         line%has_null = line%has_null .or. index(piece, achar(0)) > 0
     end subroutine gather
@@ -129,11 +133,13 @@ contains
             if (line%text(line%length:) == carriage_return) then
                 line%length = line%length - 1
                 line%text = line%text(:line%length)
+                line%filled = len_trim(line%text)
             end if
         end if
         if (line%number == 1 .and. index(line%text, mark) == 1) then
             line%text = line%text(4:)
             line%length = line%length - 3
+            line%filled = line%filled - 3
         end if
     end subroutine strip
 
