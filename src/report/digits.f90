@@ -3,7 +3,7 @@
 !> number that does not fit its columns is given with a power of ten, never as asterisks.
 module report_digits
     use base_exact, only: is_equal, is_zero
-    use base_kinds, only: dp, i64
+    use base_kinds, only: dp, i128, i64
     use base_text, only: right, row_of
     implicit none (type, external)
     private
@@ -12,9 +12,6 @@ module report_digits
 
     !> Figures that a double always keeps, and that always tell it from its neighbours.
     integer, parameter :: kept_figures = 15, telling_figures = 17
-    !> The powers of ten that a double holds exactly, from 10**0.
-    integer :: i
-    real(dp), parameter :: power_of_ten(23) = [(10.0_dp**i, i = 0, 22)]
 
 contains
 
@@ -75,46 +72,57 @@ contains
         real(dp), intent(in) :: value        !! a finite positive number
         integer(i64), intent(out) :: figures !! the figures, without zeros at their end
         integer, intent(out) :: power        !! the power of ten behind them
-        logical :: found
+        real(dp), parameter :: least = 1.0e-12_dp, most = 1.0e15_dp
 
-        call short_decimal(value, figures, power, found)
-        if (.not. found) call telling_decimal(value, figures, power)
+        if (value >= least .and. value < most) then
+            call short_figures(value, figures, power)
+        else
+            call tried_figures(value, figures, power)
+        end if
         do while (mod(figures, 10_i64) == 0)
             figures = figures/10
             power = power + 1
         end do
     end subroutine fewest_figures
 
-    !> Looks for a decimal of up to 15 figures, up to 22 of them behind the point. There is at most
-    !> one that reads as the value, since 15 figures tell all decimals apart. The whole number is
-    !> less than 2**53 and the power of ten is exact, so that their quotient is what the decimal
-    !> reads as.
-    pure subroutine short_decimal(value, figures, power, found)
-        real(dp), intent(in) :: value        !! a finite positive number
+    !> Works the fewest figures in whole numbers, all in one small unit: the decimals between the
+    !> two halfway points to the neighbours read as the value, the halfway points themselves where
+    !> its last bit is even. The coarsest power of ten with a multiple there gives the fewest
+    !> figures; of its multiples the one nearest to the value is taken.
+    pure subroutine short_figures(value, figures, power)
+        real(dp), intent(in) :: value        !! 1e-12 to 1e15
         integer(i64), intent(out) :: figures !! the figures
         integer, intent(out) :: power        !! the power of ten behind them
-        logical, intent(out) :: found        !! false where there is none
-        real(dp) :: whole
+        integer(i128) :: bits, five, step, low, middle, high, multiple
         integer :: places
 
-        found = .false.
-        figures = 0
-        power = 0
-        do places = 0, size(power_of_ten) - 1
-            whole = value*power_of_ten(places + 1)
-            if (whole >= power_of_ten(kept_figures + 1)) return
-            whole = anint(whole)
-            if (.not. is_equal(whole/power_of_ten(places + 1), value)) cycle
-            figures = int(whole, i64)
-            power = -places
-            found = .true.
-            return
+        places = telling_figures - floor(log10(value))
+        bits = int(scale(fraction(value), digits(value)), i128)
+        five = 5_i128**int(places, i128)
+        ! The unit is 2**(exponent - digits - 2) / 5**places, so that a quarter bit is `five`.
+        middle = 4*bits*five
+        high = middle + 2*five
+        low = middle - merge(five, 2*five, is_equal(fraction(value), 0.5_dp))
+        if (mod(bits, 2_i128) == 1) then
+            high = high - 1
+            low = low + 1
+        end if
+        step = 2_i128**int(digits(value) + 2 - exponent(value) - places, i128)
+        power = -places
+        do while (high/(10*step)*(10*step) >= low)
+            step = 10*step
+            power = power + 1
         end do
-    end subroutine short_decimal
+        multiple = (middle + step/2)/step
+        if (multiple*step < low) multiple = multiple + 1
+        if (multiple*step > high) multiple = multiple - 1
+        figures = int(multiple, i64)
+    end subroutine short_figures
 
-    !> Rounds to more and more figures until they tell the value from all others. Beside a power of
-    !> two the nearest decimal may be another double's, and the next one further the value's.
-    pure subroutine telling_decimal(value, figures, power)
+    !> Tries more and more figures until they tell a very large or small value from all others.
+    !> Beside a power of two the nearest decimal may read as another double, and the next one
+    !> beyond it as the value. Subnormal numbers have few figures.
+    pure subroutine tried_figures(value, figures, power)
         real(dp), intent(in) :: value        !! a finite positive number
         integer(i64), intent(out) :: figures !! the figures
         integer, intent(out) :: power        !! the power of ten behind them
@@ -130,7 +138,7 @@ contains
                 return
             end do
         end do
-    end subroutine telling_decimal
+    end subroutine tried_figures
 
     !> A number correctly rounded to a count of figures.
     pure subroutine rounded(value, count, figures, power)
