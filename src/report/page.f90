@@ -3,7 +3,7 @@
 module report_page
     use base_constants, only: version
     use base_output, only: output_type
-    use base_text, only: row_of, to_text
+    use base_text, only: characters, first_bytes, row_of, to_text
     implicit none (type, external)
     private
 
@@ -13,6 +13,8 @@ module report_page
     integer, parameter, public :: page_columns = 80
     !> Lines of a page, heading and foot margin included, as on the 11-inch form at 6 lines an inch.
     integer, parameter :: page_lines = 60
+    !> What stands for the rest of a text that is cut.
+    character(*), parameter :: cut = '...'
     !> A column heading has at most so many lines.
     integer, parameter :: most_heads = 2
 
@@ -81,6 +83,7 @@ contains
         type(output_type), intent(inout) :: out !! where it goes
         character(*), intent(in) :: head(:)     !! its lines, at most `most_heads`
         integer :: i
+        page%heads = 0
         call page%keep(out, size(head) + 2)
         page%heads = size(head)
         page%head(:page%heads) = head
@@ -114,18 +117,22 @@ contains
         end do
     end subroutine turn
 
-    !> Three texts on one line: left, middle, right. A left text that is too long takes the middle
-    !> and, where it must, pushes the right text on.
+    !> Three texts on one line of a page: left, middle, right. The left text is cut where there is no
+    !> room for it. Its characters are counted, not its bytes, since a title may be in UTF-8.
     pure function spread_out(left, middle, right) result(text)
         character(*), intent(in) :: left   !! begins the line
-        character(*), intent(in) :: middle !! about column 40
+        character(*), intent(in) :: middle !! about column 40, or nothing
         character(*), intent(in) :: right  !! ends the line
         character(:), allocatable :: text
         integer, parameter :: centre = page_columns/2
+        integer :: room
 
+        room = page_columns - len(right) - 1
+        if (middle /= '') room = room - len(middle) - 2
         text = left
-        if (middle /= '') text = text//row_of(' ', max(2, centre - len(text)))//middle
-        text = text//row_of(' ', max(2, page_columns - len(text) - len(right)))//right
+        if (characters(text) > room) text = text(:first_bytes(text, room - len(cut)))//cut
+        if (middle /= '') text = text//row_of(' ', max(2, centre - characters(text)))//middle
+        text = text//row_of(' ', page_columns - characters(text) - len(right))//right
     end function spread_out
 
 end module report_page
