@@ -4,7 +4,8 @@
 !> A signal handler is told nothing but a number, so the name of the unfinished file has to stand
 !> where the handler finds it: the one module variable of LOFT.
 module app_signals
-    use, intrinsic :: iso_c_binding, only: c_char, c_funloc, c_funptr, c_int, c_null_char, c_null_funptr
+    use, intrinsic :: iso_c_binding, only: c_char, c_funloc, c_funptr, c_int, c_intptr_t, c_null_char, &
+        c_null_funptr
     use base_posix, only: c_raise, c_signal, c_text, c_unlink
     implicit none (type, external)
     private
@@ -13,6 +14,8 @@ module app_signals
 
     !> Hang-up, interrupt, broken pipe and termination, numbered alike on every POSIX system.
     integer(c_int), parameter :: caught(4) = [1_c_int, 2_c_int, 13_c_int, 15_c_int]
+    !> What stands in the place of a handler where a signal is ignored, as by `nohup`: it stays so.
+    integer(c_intptr_t), parameter :: ignored_signal = 1_c_intptr_t
     !> Bytes of the longest path guarded.
     integer, parameter :: longest_path = 4096
 
@@ -21,7 +24,8 @@ module app_signals
 
 contains
 
-    !> From now on a signal removes this file. A path longer than 4095 bytes is not guarded.
+    !> From now on a signal that is not ignored removes this file. A path longer than 4095 bytes is
+    !> not guarded.
     subroutine guard_file(path)
         character(*), intent(in) :: path !! the unfinished file
         type(c_funptr) :: before
@@ -35,16 +39,12 @@ contains
         end do
         do i = 1, size(caught)
             before = c_signal(caught(i), c_funloc(stop_by_signal))
+            if (transfer(before, 0_c_intptr_t) == ignored_signal) before = c_signal(caught(i), before)
         end do
     end subroutine guard_file
 
     !> From now on a signal finds nothing to remove: the file is finished or gone.
     subroutine release_file()
-        type(c_funptr) :: before
-        integer :: i
-        do i = 1, size(caught)
-            before = c_signal(caught(i), c_null_funptr)
-        end do
         unfinished(1) = c_null_char
     end subroutine release_file
 
