@@ -42,8 +42,8 @@ contains
     !> Runs one card. What the card has printed before an error stays printed.
     !>
     !> Fails with `cause%singular` and `cause%increment` where the page has the program's own
-    !> message; with `cause%overflow`, `%underflow` or `%divide` where the machine would have stopped
-    !> the card; with `cause%too_many` where a table would be longer than `largest_table`.
+    !> message; with `cause%overflow`, `%underflow` or `%divide` where the machine would have
+    !> stopped the card; with `cause%too_many` where a table would be longer than `largest_table`.
     subroutine run_card(card, shift, printer, out, error)
         type(period_card_type), intent(in) :: card          !! the card, deck units
         type(decimal_type), intent(in) :: shift             !! added to every X and Y, deck units

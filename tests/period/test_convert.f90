@@ -95,7 +95,8 @@ contains
     end subroutine traps
 
     !> Random numbers of up to 15 digits with up to 15 decimals: fraction*16**(e - 14) must be at
-    !> most the number, and one more in the last place above it; both times 10**decimals*16**(14 - e).
+    !> most the number, and one more in the last place above it; both are
+    !> multiplied by 10**decimals*16**(14 - e), which makes them whole.
     subroutine check_random()
         integer(i128) :: number, scale, fraction, raise
         type(hex_type) :: word
