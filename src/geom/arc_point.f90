@@ -18,7 +18,7 @@ module geom_arc_point
     implicit none (type, external)
     private
 
-    public :: point, offset, tangent, curvature, slope_type, slope, slope_along, speed
+    public :: point, offset, tangent, curvature, slope_type, slope, slope_along
 
     !> A slope dy/dx, or none.
     type :: slope_type
@@ -134,13 +134,5 @@ contains
         pace = denominator(arc, place)/sqrt(dot(n, n))
         curvature = to_real(cross(arc%bulge, arc%half)*pace*pace*pace)/arc%size
     end function curvature
-
-    !> How fast the point moves, |dp/dt| for `place_at(t)`, deck units.
-    pure real(dp) function speed(arc, place)
-        type(arc_type), intent(in) :: arc     !! any arc
-        type(place_type), intent(in) :: place !! where on it, alpha + beta = 1
-        speed = 2.0_dp*arc%size*norm2(to_real(hodograph(arc, place))) &
-            /to_real(denominator(arc, place))**2
-    end function speed
 
 end module geom_arc_point
