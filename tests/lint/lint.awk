@@ -7,6 +7,9 @@ BEGIN {
     widest = 100; longest_file = 300; longest_procedure = 60; most_arguments = 6
     # Modules with nothing to run: names of kinds; interfaces to the system.
     untested["base_kinds"]; untested["base_posix"]
+    # Commands, proved by whole runs in tests/*.t, which see what their users see.
+    untested["app_check"]; untested["app_help"]; untested["app_plot"]; untested["app_run"]
+    untested["app_signals"]; untested["app_status"]
     # Modules that may have variables: a signal handler takes no arguments of ours.
     has_variables["app_signals"]
 }
