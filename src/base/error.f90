@@ -19,6 +19,10 @@ module base_error
         integer :: inflection = 13         !! end slopes that only an S-shaped curve could have
         integer :: other_branch = 14       !! shoulder point on the other branch of the conic
         integer :: tangent_on_chord = 15   !! an end tangent runs along the chord of a curved arc
+        integer :: not_single_valued = 16  !! an arc of a line that turns past the vertical
+        integer :: joint_gap = 17          !! arcs that should meet and do not
+        integer :: no_arc = 18             !! points, slopes, rho or radius that fix no arc
+        integer :: no_match = 19           !! no conic between two ends has the curvature wanted
         integer :: singular = 20           !! a linear system has no unique solution
         integer :: no_convergence = 21     !! an iteration did not reach its tolerance
         integer :: overflow = 30           !! exponent overflow of a System/360 number

@@ -91,14 +91,16 @@ contains
         integer :: i
 
         if (.not. arc%finish(1) > arc%start(1)) then
-            call fail(error, cause%not_single_valued, 'arc '//to_text(number)//' begins and ends at ' &
-                //compact(arc%start(1))//'; it must lead from one station to another')
+            call fail(error, cause%not_single_valued, &
+                'arc '//to_text(number)// &
+                ' begins and ends at '//compact(arc%start(1))//'; it must lead from one station to another')
             return
         end if
         turns = turning_places(arc, 1)
         do i = 1, size(turns)
             turn = point(arc, turns(i))
-            if (turn(1) >= arc%start(1) - noise(arc) .and. turn(1) <= arc%finish(1) + noise(arc)) cycle
+            if (turn(1) >= arc%start(1) - noise(arc) .and. &
+                turn(1) <= arc%finish(1) + noise(arc)) cycle
             call fail(error, cause%not_single_valued, 'arc '//to_text(number)//' from '// &
                 at_text(arc%start)//' to '//at_text(arc%finish)//' turns past the vertical at '// &
                 at_text(turn)//' and has two ordinates there; end it where it is vertical')
