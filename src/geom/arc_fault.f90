@@ -51,7 +51,8 @@ contains
             call fail(error, cause%shoulder_on_chord, where_it_is// &
                 ' but not between them; put it between them, off the chord for a curve')
         else
-            call fail(error, cause%shoulder_on_chord, where_it_is//' but the end slopes are not; '// &
+            call fail(error, cause%shoulder_on_chord, &
+                where_it_is//' but the end slopes are not; '// &
                 'move it off the chord, or for a straight line make both slopes '// &
                 slope_text(to_real(it%chord)))
         end if
@@ -74,13 +75,15 @@ contains
                 slope_text(to_real(it%chord))//'; that needs an inflection, which a conic has '// &
                 'not: divide the curve there, or correct a slope or the shoulder point')
         else if (share(it%off_start, it%chord_off_start) <= 0.0_dp) then
-            call fail(error, cause%shoulder_outside, outside_words(it, '1', '3', it%off_start, it%t1))
+            call fail(error, cause%shoulder_outside, outside_words(it, '1', '3', it%off_start, &
+                it%t1))
         else if (share(it%off_finish, it%chord_off_finish) <= 0.0_dp) then
-            call fail(error, cause%shoulder_outside, outside_words(it, '3', '1', it%off_finish, it%t3))
+            call fail(error, cause%shoulder_outside, outside_words(it, '3', '1', it%off_finish, &
+                it%t3))
         else
             call fail(error, cause%other_branch, 'the shoulder point '//at_text(it%through)// &
-                ' is so far on the other side of the chord that points 1 and 3 are on different '// &
-                'branches of the conic; it must lie '//inside_words(it))
+                ' is so far on the other side of the chord that points 1 and 3 are on '// &
+                'different branches of the conic; it must lie '//inside_words(it))
         end if
     end subroutine explain_no_arc
 
@@ -156,8 +159,8 @@ contains
             return
         end if
         reach = -to_real(it%chord_off_finish/it%tangents)
-        words = 'inside the triangle of points 1 and 3 and the intersection of the end tangents at ' &
-            //at_text(it%start%point + it%size*(reach*it%t1))
+        words = 'inside the triangle of points 1 and 3 and the intersection of the end '// &
+            'tangents at '//at_text(it%start%point + it%size*(reach*it%t1))
     end function inside_words
 
     !> A direction as a slope: `0.5`, `vertical`.

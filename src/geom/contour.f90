@@ -66,7 +66,8 @@ contains
         do i = 1, size(stretches)
             associate (it => stretches(i))
                 do k = 0, it%count - 1
-                    rows(next) = passage(arc, axis, grid%ordinate(it%first + k*it%stride), it%rising)
+                    rows(next) = passage(arc, axis, grid%ordinate(it%first + k*it%stride), &
+                        it%rising)
                     next = next + 1
                 end do
                 if (.not. it%touches) cycle
@@ -241,7 +242,7 @@ contains
         real(dp), parameter :: countable = 1.0e15_dp
 
         rows = 'more rows than can be counted'
-        if (span < countable*step) rows = to_text(nint(span/step, i64))//' rows'
+        if (span < countable*step) rows = to_text(nint(span/step, i64) + 1_i64)//' rows'
         call fail(error, cause%too_many, 'an increment of '//compact(step)//' over '// &
             compact(span)//' makes '//rows//'; LOFT makes at most '//to_text(largest_table)// &
             ' in a table: take an increment of '//compact(2.0_dp*span/largest_table)//' or more')

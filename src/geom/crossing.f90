@@ -56,8 +56,8 @@ contains
         if (alpha%high < 0.0_dp .or. beta%high < 0.0_dp) place = place_type(-alpha, -beta)
     end function pointed
 
-    !> The places between the ends where the tangent is across an axis, in order along the arc: none,
-    !> one or two. There the coordinate is greatest or least.
+    !> The places between the ends where the tangent is across an axis, in order along the
+    !> arc: none, one or two. There the coordinate is greatest or least.
     pure function turning_places(arc, axis) result(places)
         type(arc_type), intent(in) :: arc !! any arc
         integer, intent(in) :: axis       !! 1: greatest and least x, 2: y

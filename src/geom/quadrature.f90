@@ -68,7 +68,7 @@ contains
         class(integrand_type), intent(in) :: f              !! the function
         real(dp), intent(in) :: from                        !! start of the interval
         real(dp), intent(in) :: to                          !! end of the interval, may be below
-        real(dp), intent(in) :: tolerance                   !! relative error asked, not below 50 ulp
+        real(dp), intent(in) :: tolerance                   !! relative error asked, 50 ulp or more
         real(dp), intent(out) :: integral                   !! the integral
         type(error_type), allocatable, intent(out) :: error !! see above
         type(panel_type) :: panels(most_panels)

@@ -1,4 +1,4 @@
-!> Numbers of twice the working precision, each the unevaluated sum of two doubles (some 32 figures).
+!> Numbers of twice the working precision, each the unevaluated sum of two doubles (32 figures).
 !> The control points of a card are doubles that are taken as exact; differences and products of
 !> them are formed here without loss and rounded once, at the end.
 !>

@@ -1,14 +1,15 @@
 !> How accurate the points of an arc are, over many random cards: the distance, normal to the exact
 !> conic of the doubles as read, in units in the last place (the spacing of doubles there) of the
 !> largest coordinate of the card or of the point. Rounding a point exactly known costs up to .71,
-!> a stepped one, of which one ordinate is given, up to .5. The oracle is Liming's equation in real128, set up from the doubles:
+!> a stepped one, of which one ordinate is given, up to .5.
+!> The oracle is Liming's equation in real128, set up from the doubles:
 !>
 !>     F(p) = C(p)**2 - k L1(p) L3(p),     k = C(s)**2/(L1(s) L3(s))
 !>
 !> with C, L1, L3 the products of the chord and the end tangents with the way to p, s the shoulder
 !> point; it shares nothing with the rational form under test.
 !>
-!> LOFT_TEST_CARDS sets the number of cards (100000 where it is not set, 3000 or more tell something).
+!> LOFT_TEST_CARDS sets the number of cards (100000 where it is not set; 3000 tell something).
 program test_accuracy
     use, intrinsic :: iso_fortran_env, only: real128
     use base_decimal, only: decimal_type, grid_type, new_grid
@@ -70,15 +71,18 @@ program test_accuracy
         call measure_steps(card, arc, 1, stepped)
         call measure_steps(card, arc, 2, stepped)
     end do
-    call tap%note(to_text(made)//' arcs of '//to_text(tried)//' random cards; weight below -.99: '// &
-        to_text(extreme(1))//', below 0: '//to_text(extreme(2))//', above 1e3: '//to_text(extreme(3)) &
-        //', above 1e6: '//to_text(extreme(4)))
+    call tap%note(to_text(made)//' arcs of '//to_text(tried)//' random cards; weight below -.99: ' &
+        //to_text(extreme(1))//', below 0: '//to_text(extreme(2))//', above 1e3: ' &
+        //to_text(extreme(3))//', above 1e6: '//to_text(extreme(4)))
     call tap%ok(made == cards, 'as many arcs as asked for were drawn')
-    call tap%ok(all(extreme > cards/1000) .or. cards < 3000, 'nearly whole ellipses and sharp corners are among them')
+    call tap%ok(all(extreme > cards/1000) .or. cards < 3000, &
+        'nearly whole ellipses and sharp corners are among them')
     call report(placed, 'points at places of the arc')
     call report(stepped, 'points at stepped ordinates')
-    call tap%ok(placed%largest <= 0.75_dp, 'every point at a place is within .75 ulp of the exact conic')
-    call tap%ok(stepped%largest <= 0.75_dp, 'every stepped point is within .75 ulp of the exact conic')
+    call tap%ok(placed%largest <= 0.75_dp, &
+        'every point at a place is within .75 ulp of the exact conic')
+    call tap%ok(stepped%largest <= 0.75_dp, &
+        'every stepped point is within .75 ulp of the exact conic')
     call tap%finish()
 
 contains
@@ -190,7 +194,8 @@ contains
                 line(2)*left_of(real(card%start%tangent, qp)) &
                 + line(1)*left_of(real(card%finish%tangent, qp)))
             if (all(abs(gradient) <= 0.0_qp)) exit
-            p = p - (line(3)**2 - card%ratio*line(1)*line(2))*gradient/dot_product(gradient, gradient)
+            p = p - (line(3)**2 - card%ratio*line(1)*line(2))*gradient/dot_product(gradient, &
+                gradient)
         end do
         distance = real(norm2(p - real(at, qp)), dp)
     end function distance

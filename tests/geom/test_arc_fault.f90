@@ -9,11 +9,14 @@ program test_arc_fault
     type(tap_type) :: tap
     real(dp), parameter :: vertical = 999.999_dp
 
-    call refused([3.0_dp, 4.0_dp, 0.0_dp], [5.0_dp, 6.0_dp], [3.0_dp, 4.0_dp, 1.0_dp], cause%points_coincide, &
+    call refused([3.0_dp, 4.0_dp, 0.0_dp], [5.0_dp, 6.0_dp], [3.0_dp, 4.0_dp, 1.0_dp], &
+        cause%points_coincide, &
         'points 1 and 3 are both (3., 4.)', 'ends that coincide')
-    call refused([0.0_dp, 0.0_dp, 1.0_dp], [0.0_dp, 0.0_dp], [1.0_dp, 0.0_dp, -1.0_dp], cause%points_coincide, &
+    call refused([0.0_dp, 0.0_dp, 1.0_dp], [0.0_dp, 0.0_dp], [1.0_dp, 0.0_dp, -1.0_dp], &
+        cause%points_coincide, &
         'the shoulder point is point 1', 'a shoulder on point 1')
-    call refused([0.0_dp, 0.0_dp, 1.0_dp], [1.0_dp, 0.0_dp], [1.0_dp, 0.0_dp, -1.0_dp], cause%points_coincide, &
+    call refused([0.0_dp, 0.0_dp, 1.0_dp], [1.0_dp, 0.0_dp], [1.0_dp, 0.0_dp, -1.0_dp], &
+        cause%points_coincide, &
         'the shoulder point is point 3', 'a shoulder on point 3')
     call refused([0.3_dp, 0.0_dp, 1.0_dp], [0.5_dp, 1.0_dp], [0.1_dp + 0.2_dp, 0.0_dp, -1.0_dp], &
         cause%points_coincide, 'points 1 and 3', 'ends that differ by rounding alone')
@@ -28,11 +31,14 @@ program test_arc_fault
         cause%shoulder_on_chord, 'make both slopes 3.', 'a line with a wrong slope')
     call accepted([0.0_dp, 0.0_dp, 1.0_dp], [0.1_dp, 1.0e-9_dp], [1.0_dp, 0.0_dp, -1.0_dp], &
         'a shoulder a billionth off the chord')
-    call accepted([0.0_dp, 0.0_dp, 3.0_dp], [0.1_dp, 0.3_dp], [0.2_dp, 0.6_dp, 3.0_dp], 'a straight line')
-    call accepted([0.0_dp, 0.0_dp, vertical], [0.0_dp, 0.3_dp], [0.0_dp, 0.6_dp, vertical], 'a vertical line')
+    call accepted([0.0_dp, 0.0_dp, 3.0_dp], [0.1_dp, 0.3_dp], [0.2_dp, 0.6_dp, 3.0_dp], &
+        'a straight line')
+    call accepted([0.0_dp, 0.0_dp, vertical], [0.0_dp, 0.3_dp], [0.0_dp, 0.6_dp, vertical], &
+        'a vertical line')
 
     call refused([0.0_dp, 0.0_dp, 0.0_dp], [1.0_dp, 1.0_dp], [2.0_dp, 0.0_dp, -1.0_dp], &
-        cause%tangent_on_chord, 'the tangent at point 1, slope 0.', 'a tangent along the chord at point 1')
+        cause%tangent_on_chord, 'the tangent at point 1, slope 0.', &
+        'a tangent along the chord at point 1')
     call refused([0.0_dp, 0.0_dp, 0.5_dp], [1.0_dp, 1.0_dp], [2.0_dp, 1.0_dp, 0.5_dp], &
         cause%tangent_on_chord, 'point 1', 'both tangents along the chord of a curve')
     call refused([0.0_dp, 0.0_dp, 1.0_dp], [1.0_dp, 0.5_dp], [2.0_dp, 0.0_dp, 0.0_dp], &
@@ -40,22 +46,28 @@ program test_arc_fault
     call accepted([0.0_dp, 0.0_dp, 0.00001_dp], [1.0_dp, 0.000001_dp], [2.0_dp, 0.0_dp, -1.0_dp], &
         'a tangent nearly along the chord')
 
-    call refused([0.0_dp, 0.0_dp, 1.0_dp], [0.1_dp, 0.2_dp], [2.0_dp, 0.0_dp, 1.0_dp], cause%inflection, &
+    call refused([0.0_dp, 0.0_dp, 1.0_dp], [0.1_dp, 0.2_dp], [2.0_dp, 0.0_dp, 1.0_dp], &
+        cause%inflection, &
         'both turn to the same side', 'an S-shaped curve')
-    call refused([0.0_dp, 0.0_dp, -2.0_dp], [1.0_dp, 0.2_dp], [2.0_dp, 0.0_dp, -0.1_dp], cause%inflection, &
+    call refused([0.0_dp, 0.0_dp, -2.0_dp], [1.0_dp, 0.2_dp], [2.0_dp, 0.0_dp, -0.1_dp], &
+        cause%inflection, &
         'end slopes -2. and -0.1', 'an S-shaped curve with unequal slopes')
     call accepted([0.0_dp, 0.0_dp, 2.0_dp], [2.0_dp, 0.5_dp], [2.0_dp, 0.0_dp, 20.0_dp], &
         'both tangents on one side, where the curve turns past the vertical')
 
     call refused([0.0_dp, 0.0_dp, vertical], [-0.1_dp, 0.5_dp], [1.0_dp, 1.0_dp, 0.0_dp], &
-        cause%shoulder_outside, 'on the other side of the tangent at point 1 from point 3, slope vertical', &
+        cause%shoulder_outside, &
+        'on the other side of the tangent at point 1 from point 3, slope vertical', &
         'a shoulder beyond the tangent at point 1')
     call refused([0.0_dp, 0.0_dp, vertical], [0.5_dp, 1.1_dp], [1.0_dp, 1.0_dp, 0.0_dp], &
-        cause%shoulder_outside, 'tangent at point 3 from point 1', 'a shoulder beyond the tangent at point 3')
+        cause%shoulder_outside, 'tangent at point 3 from point 1', &
+        'a shoulder beyond the tangent at point 3')
     call refused([0.0_dp, 0.0_dp, vertical], [0.0_dp, 0.5_dp], [1.0_dp, 1.0_dp, 0.0_dp], &
-        cause%shoulder_outside, 'lies on the tangent at point 1', 'a shoulder on the tangent at point 1')
+        cause%shoulder_outside, 'lies on the tangent at point 1', &
+        'a shoulder on the tangent at point 1')
     call refused([0.0_dp, 0.0_dp, vertical], [0.5_dp, 1.0_dp], [1.0_dp, 1.0_dp, 0.0_dp], &
-        cause%shoulder_outside, 'intersection of the end tangents at (0., 1.)', 'a shoulder on the tangent at point 3')
+        cause%shoulder_outside, 'intersection of the end tangents at (0., 1.)', &
+        'a shoulder on the tangent at point 3')
     call refused([0.0_dp, 0.0_dp, vertical], [-1.0_dp, 1.0_dp], [2.0_dp, 0.0_dp, vertical], &
         cause%shoulder_outside, 'between the parallel end tangents', 'a shoulder outside a strip')
     call accepted([0.0_dp, 0.0_dp, vertical], [1.0e-5_dp, 0.5_dp], [1.0_dp, 1.0_dp, 0.0_dp], &
@@ -63,7 +75,8 @@ program test_arc_fault
     call accepted([0.0_dp, 0.0_dp, vertical], [1.0_dp, 50.0_dp], [2.0_dp, 0.0_dp, vertical], &
         'a shoulder far up between parallel tangents')
 
-    call refused([0.0_dp, 0.0_dp, 1.0_dp], [-1.9_dp, -2.1_dp], [2.0_dp, 0.0_dp, -1.0_dp], cause%other_branch, &
+    call refused([0.0_dp, 0.0_dp, 1.0_dp], [-1.9_dp, -2.1_dp], [2.0_dp, 0.0_dp, -1.0_dp], &
+        cause%other_branch, &
         'different branches', 'a shoulder on the other branch of a hyperbola')
     call accepted([0.0_dp, 0.0_dp, 1.0_dp], [1.0_dp, -2.4142136_dp], [2.0_dp, 0.0_dp, -1.0_dp], &
         'three quarters of a circle')

@@ -17,13 +17,16 @@ program test_arc_point
     real(dp) :: p(2), q(2), worst(4)
     integer :: i
 
-    call check_circle([1.0_dp, 0.0_dp], up, [0.6_dp, 0.8_dp], [0.0_dp, 1.0_dp], flat, 1.0_dp, 'a quarter circle')
-    call check_circle([1.0_dp, 0.0_dp], up, [0.0_dp, 1.0_dp], [-1.0_dp, 0.0_dp], up, 1.0_dp, 'a semicircle')
+    call check_circle([1.0_dp, 0.0_dp], up, [0.6_dp, 0.8_dp], [0.0_dp, 1.0_dp], flat, 1.0_dp, &
+        'a quarter circle')
+    call check_circle([1.0_dp, 0.0_dp], up, [0.0_dp, 1.0_dp], [-1.0_dp, 0.0_dp], up, 1.0_dp, &
+        'a semicircle')
     call check_circle([1.0_dp, 0.0_dp], up, [0.0_dp, -1.0_dp], [-1.0_dp, 0.0_dp], up, -1.0_dp, &
         'a semicircle turning right')
     call check_circle([1.0_dp, 0.0_dp], up, [-1.0_dp, 0.0_dp], [0.0_dp, -1.0_dp], flat, 1.0_dp, &
         'three quarters of a circle')
-    call check_circle([-0.28_dp, 0.96_dp], [0.96_dp, 0.28_dp], [0.0_dp, -1.0_dp], [0.28_dp, 0.96_dp], &
+    call check_circle([-0.28_dp, 0.96_dp], [0.96_dp, 0.28_dp], [0.0_dp, -1.0_dp], [0.28_dp, &
+        0.96_dp], &
         [0.96_dp, -0.28_dp], 1.0_dp, 'all of a circle but a notch')
 
     arc = card([0.0_dp, 0.0_dp], flat, [1.0_dp, 1.0_dp], [2.0_dp, 4.0_dp], [1.0_dp, 4.0_dp])
@@ -34,13 +37,15 @@ program test_arc_point
         at = slope(arc, place)
         worst(1) = max(worst(1), abs(p(2) - p(1)**2))
         worst(2) = max(worst(2), abs(at%value - 2.0_dp*p(1)))
-        worst(3) = max(worst(3), abs(curvature(arc, place)*(1.0_dp + 4.0_dp*p(1)**2)**1.5_dp/2.0_dp - 1.0_dp))
+        worst(3) = max(worst(3), abs(curvature(arc, &
+            place)*(1.0_dp + 4.0_dp*p(1)**2)**1.5_dp/2.0_dp - 1.0_dp))
     end do
     call tap%near(worst(1), 0.0_dp, 4*ulp, 'points of y = x**2 are on it')
     call tap%near(worst(2), 0.0_dp, 4*ulp, 'its slope is 2 x')
     call tap%near(worst(3), 0.0_dp, 8*ulp, 'its curvature is 2/(1 + 4 x**2)**1.5')
 
-    arc = card([0.5_dp, 2.0_dp], [1.0_dp, -4.0_dp], [1.0_dp, 1.0_dp], [2.0_dp, 0.5_dp], [1.0_dp, -0.25_dp])
+    arc = card([0.5_dp, 2.0_dp], [1.0_dp, -4.0_dp], [1.0_dp, 1.0_dp], [2.0_dp, 0.5_dp], &
+        [1.0_dp, -0.25_dp])
     worst = 0.0_dp
     do i = 0, 16
         place = place_at(0.0625_dp*real(i, dp))
@@ -53,8 +58,10 @@ program test_arc_point
     call tap%near(worst(2), 0.0_dp, 4*ulp, 'its slope is -1/x**2')
 
     ! The same shape, moved and sheared: every point is the image of a point.
-    arc = card([0.5_dp, 2.0_dp], [1.0_dp, -4.0_dp], [1.0_dp, 1.0_dp], [2.0_dp, 0.5_dp], [1.0_dp, -0.25_dp])
-    image = card(sheared(arc%start), [1.0_dp, -2.0_dp], sheared([1.0_dp, 1.0_dp]), sheared(arc%finish), &
+    arc = card([0.5_dp, 2.0_dp], [1.0_dp, -4.0_dp], [1.0_dp, 1.0_dp], [2.0_dp, 0.5_dp], &
+        [1.0_dp, -0.25_dp])
+    image = card(sheared(arc%start), [1.0_dp, -2.0_dp], sheared([1.0_dp, 1.0_dp]), &
+        sheared(arc%finish), &
         [1.0_dp, 1.75_dp])
     worst = 0.0_dp
     do i = 0, 16
@@ -81,12 +88,14 @@ program test_arc_point
     at = slope_along([-1.0e-17_dp, 1.0_dp])
     call tap%ok(at%is_vertical, 'what rounding leaves of a vertical is vertical')
 
-    arc = card([0.0_dp, 0.0_dp], [1.0_dp, 3.0_dp], [0.1_dp, 0.3_dp], [0.2_dp, 0.6_dp], [1.0_dp, 3.0_dp])
+    arc = card([0.0_dp, 0.0_dp], [1.0_dp, 3.0_dp], [0.1_dp, 0.3_dp], [0.2_dp, 0.6_dp], [1.0_dp, &
+        3.0_dp])
     at = slope(arc, place_at(0.3_dp))
     call tap%ok(at%value == 3.0_dp, 'a line has its slope everywhere')
     call tap%ok(curvature(arc, at_shoulder) == 0.0_dp, 'and no curvature')
     arc = card([1.0e200_dp, 0.0_dp], up, [0.6e200_dp, 0.8e200_dp], [0.0_dp, 1.0e200_dp], flat)
-    call tap%near(curvature(arc, at_shoulder)*1.0e200_dp, 1.0_dp, 8*ulp, 'a huge circle has its curvature')
+    call tap%near(curvature(arc, at_shoulder)*1.0e200_dp, 1.0_dp, 8*ulp, &
+        'a huge circle has its curvature')
     call tap%finish()
 
 contains

@@ -84,11 +84,11 @@ contains
         arc = made([0.0_dp, 0.0_dp], up, [1.0_dp, 1.0_dp], [1.8_dp, 0.6_dp], [-0.6_dp, -0.8_dp]*[-1.0_dp, 1.0_dp])
         call new_chain([arc], chain, error)
         call tap%ok(.not. allocated(error), 'an arc down to 1.8 of a circle to 2 is single-valued')
-        arc = made([1.0_dp, 1.0_dp], flat, [2.0_dp, 0.0_dp], [1.6_dp, -0.8_dp], [0.8_dp, 0.6_dp])
+        arc = made([1.0_dp, 2.0_dp], flat, [2.0_dp, 1.0_dp], [1.6_dp, 0.2_dp], [0.8_dp, 0.6_dp])
         call new_chain([parabola, arc], chain, error)
         call tap%ok(refused(cause%not_single_valued), 'past 2 it is not')
-        if (allocated(error)) call tap%same(error%message, 'arc 2 from (1., 1.) to (1.6, -0.8) turns '// &
-            'past the vertical at (2., 0.) and has two ordinates there; end it where it is vertical', &
+        if (allocated(error)) call tap%same(error%message, 'arc 2 from (1., 2.) to (1.6, 0.2) turns '// &
+            'past the vertical at (2., 1.) and has two ordinates there; end it where it is vertical', &
             'and the message names the arc and where it turns')
         arc = made([1.0_dp, 1.0_dp], flat, [1.6_dp, 0.8_dp], [2.0_dp, 0.0_dp], up)
         call new_chain([arc], chain, error)

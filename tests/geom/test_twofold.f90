@@ -22,7 +22,8 @@ program test_twofold
     c = exact_difference(0.3_dp, 0.1_dp)
     call tap%ok(wide(c) == real(0.3_dp, qp) - real(0.1_dp, qp), 'a difference is exact')
     c = exact_product(0.1_dp, 3.0_dp) - 0.3_dp
-    call tap%ok(to_real(c) == 2.0_dp**(-55), 'three times the double .1 exceeds the double .3 by 2**-55')
+    call tap%ok(to_real(c) == 2.0_dp**(-55), &
+        'three times the double .1 exceeds the double .3 by 2**-55')
     c = exact_sum(1.0_dp, 2.0_dp**(-60)) - 1.0_dp
     call tap%ok(to_real(c) == 2.0_dp**(-60), 'cancellation leaves the low part')
     c = sqrt(twofold(0.0_dp))
