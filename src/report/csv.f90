@@ -8,8 +8,8 @@ module report_csv
     use base_output, only: output_type
     use base_text, only: to_text
     use body_card_tables, only: card_table_type
-    use geom_arc_point, only: slope_type
     use report_digits, only: shortest
+    use report_slope, only: slope_text
     implicit none (type, external)
     private
 
@@ -39,13 +39,5 @@ contains
             end associate
         end do
     end subroutine print_csv_table
-
-    !> A slope in the fewest figures, or `inf`.
-    pure function slope_text(slope) result(text)
-        type(slope_type), intent(in) :: slope !! dy/dx
-        character(:), allocatable :: text
-        text = 'inf'
-        if (.not. slope%is_vertical) text = shortest(slope%value)
-    end function slope_text
 
 end module report_csv

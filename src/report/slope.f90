@@ -1,0 +1,20 @@
+!> A slope as text, where it may be vertical.
+module report_slope
+    use geom_arc_point, only: slope_type
+    use report_digits, only: shortest
+    implicit none (type, external)
+    private
+
+    public :: slope_text
+
+contains
+
+    !> A slope in the fewest figures that read back the same, or `inf`.
+    pure function slope_text(slope) result(text)
+        type(slope_type), intent(in) :: slope !! dy/dx
+        character(:), allocatable :: text
+        text = 'inf'
+        if (.not. slope%is_vertical) text = shortest(slope%value)
+    end function slope_text
+
+end module report_slope
