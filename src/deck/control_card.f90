@@ -64,7 +64,8 @@ contains
         call faults%place(before, line%number, line%text)
     end subroutine read_heading_card
 
-    !> Reads a TITLE card. A column of it is a character, which in UTF-8 may be several bytes.
+    !> Reads a TITLE card; a second one changes nothing. A column of it is a character, which in
+    !> UTF-8 may be several bytes.
     subroutine read_title(line, heading, faults)
         type(line_type), intent(in) :: line             !! the line
         type(heading_type), intent(inout) :: heading    !! gets the title
@@ -77,11 +78,12 @@ contains
             call faults%add(new_fault(severity%error, room + 1, line%filled, &
                 'text beyond column '//to_text(card_columns)//'; shorten the title'))
         end if
+        if (heading%has_title) return
         heading%has_title = .true.
         heading%title = trim(columns(line%text, title_fields(2)%first, room))
     end subroutine read_title
 
-    !> Reads a UNITS card.
+    !> Reads a UNITS card; a second one changes nothing.
     subroutine read_units(line, heading, faults)
         type(line_type), intent(in) :: line             !! the line
         type(heading_type), intent(inout) :: heading    !! gets the unit
@@ -89,6 +91,7 @@ contains
         character(:), allocatable :: text
 
         call check_field('UNITS', units_fields(2)%first, line, heading%has_units, faults)
+        if (heading%has_units) return
         heading%has_units = .true.
         associate (field => units_fields(2))
             text = upper(columns(line%text, field%first, field%last))
