@@ -1,0 +1,160 @@
+!> Which card of a deck is drawn in which picture. The name of a card (the comment right before it)
+!> decides: SIDE, PLAN, or STA, STATION or SECTION as a word of its own, in any case and the first
+!> of these in this order. All other cards share a picture.
+module app_pictures
+    use app_files, only: base_name, deck_file_type
+    use base_error, only: error_type
+    use base_fault, only: fault_list_type
+    use base_output, only: output_type
+    use base_text, only: to_text, upper
+    use body_card_arc, only: arc_of_card
+    use deck_conic_card, only: conic_card_type
+    use deck_conic_deck, only: conic_deck_type, found
+    use deck_control_card, only: heading_type
+    use deck_layout, only: conic
+    use deck_source, only: source_type
+    use export_picture, only: curve_type, picture_type
+    use report_fault, only: print_faults
+    implicit none (type, external)
+    private
+
+    public :: read_pictures, picture_of
+
+    !> The pictures, in the order they are drawn.
+    integer, parameter, public :: side = 1, plan = 2, sections = 3, conics = 4
+
+contains
+
+    !> Reads a deck and puts the arc of each card on its picture. A card without an arc is reported
+    !> and left out.
+    !>
+    !> Fails with `cause%file_trouble` where the deck can't be read.
+    subroutine read_pictures(name, pictures, is_faulty, messages, error)
+        character(*), intent(in) :: name                    !! of the deck; `-` is standard input
+        type(picture_type), intent(out) :: pictures(4)      !! side, plan, sections, conics
+        logical, intent(out) :: is_faulty                   !! a card was in error
+        type(output_type), intent(inout) :: messages        !! diagnostics
+        type(error_type), allocatable, intent(out) :: error !! see above
+        type(deck_file_type) :: file
+        type(source_type) :: source
+        type(conic_deck_type) :: deck
+        type(conic_card_type) :: card
+        type(fault_list_type) :: faults
+        integer :: outcome
+
+        is_faulty = .false.
+        call file%open(name, source, error)
+        if (allocated(error)) return
+        do
+            call deck%next(source, card, outcome, faults, error)
+            if (allocated(error)) then
+                error%message = name//': '//error%message
+                exit
+            end if
+            if (outcome == found%conic) call take_card(card, pictures, faults)
+            call print_faults(faults, name, .false., messages)
+            is_faulty = is_faulty .or. faults%has_errors(0)
+            call faults%clear()
+            if (outcome == found%finished) exit
+        end do
+        call file%close()
+        call name_pictures(deck%heading, name, pictures)
+    end subroutine read_pictures
+
+    !> Puts the arc of a card on its picture.
+    subroutine take_card(card, pictures, faults)
+        type(conic_card_type), intent(in) :: card            !! the card, sound or not
+        type(picture_type), intent(inout) :: pictures(:)     !! gets the curve
+        type(fault_list_type), intent(inout) :: faults       !! what is wrong is added
+        type(curve_type) :: curve
+        logical :: has_arc
+
+        if (.not. card%is_readable .or. card%has_coinciding_points()) return
+        call arc_of_card(card, curve%arc, has_arc, faults)
+        if (.not. has_arc) return
+        curve%name = card%label
+        if (curve%name == '') curve%name = 'card '//to_text(card%count)
+        curve%point(:, 1) = card%real([conic%x1, conic%y1])
+        curve%point(:, 2) = card%real([conic%x2, conic%y2])
+        curve%point(:, 3) = card%real([conic%x3, conic%y3])
+        call pictures(picture_of(card%label))%add(curve)
+    end subroutine take_card
+
+    !> The picture that a card of some name is in.
+    pure integer function picture_of(name)
+        character(*), intent(in) :: name !! the comment before the card, or nothing
+        picture_of = conics
+        if (has_word(name, 'STA') .or. has_word(name, 'STATION') .or. has_word(name, 'SECTION')) &
+            picture_of = sections
+        if (has_word(name, 'PLAN')) picture_of = plan
+        if (has_word(name, 'SIDE')) picture_of = side
+    end function picture_of
+
+    !> True where a word stands in a text with neither letter nor figure against it.
+    pure logical function has_word(text, word)
+        character(*), intent(in) :: text !! any bytes
+        character(*), intent(in) :: word !! in capitals
+        character(:), allocatable :: padded
+        integer :: i
+
+        padded = ' '//text//' '
+        padded = upper(padded)
+        has_word = .false.
+        do i = 2, len(padded) - len(word)
+            if (padded(i:i + len(word) - 1) /= word) cycle
+            has_word = .not. (is_letter(padded(i - 1:i - 1)) .or. &
+                is_letter(padded(i + len(word):i + len(word))))
+            if (has_word) return
+        end do
+    end function has_word
+
+    !> True for what can be part of a word: a capital letter, a figure, a byte of a letter with an
+    !> accent.
+    pure logical function is_letter(byte)
+        character, intent(in) :: byte !! any byte
+        is_letter = index('ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789', byte) > 0 .or. ichar(byte) > 127
+    end function is_letter
+
+    !> Gives the pictures their names, titles and axes.
+    pure subroutine name_pictures(heading, deck, pictures)
+        type(heading_type), intent(in) :: heading         !! title and unit
+        character(*), intent(in) :: deck                  !! name of the deck
+        type(picture_type), intent(inout) :: pictures(:)  !! gets them
+        character(*), parameter :: station = 'station (STA)', butt_line = 'butt line (BL)', &
+            waterline = 'waterline (WL)'
+        character(:), allocatable :: title, unit
+        integer :: i
+
+        title = base_name(deck)
+        if (deck == '-') title = 'standard input'
+        if (allocated(heading%title)) then
+            if (heading%title /= '') title = heading%title
+        end if
+        unit = ', inches'
+        if (allocated(heading%units)) then
+            if (heading%units == 'MM') unit = ', mm'
+            if (heading%units == 'FEET') unit = ', feet'
+        end if
+        call set_texts(pictures(side), 'side', 'Side view', station//unit, waterline//unit)
+        call set_texts(pictures(plan), 'plan', 'Plan view', station//unit, butt_line//unit)
+        call set_texts(pictures(sections), 'sections', 'Sections', butt_line//unit, waterline//unit)
+        call set_texts(pictures(conics), 'conics', 'Conics', 'X'//unit, 'Y'//unit)
+        do i = 1, size(pictures)
+            pictures(i)%heading = title
+        end do
+    end subroutine name_pictures
+
+    !> Gives one picture its texts.
+    pure subroutine set_texts(picture, name, view, x_axis, y_axis)
+        type(picture_type), intent(inout) :: picture !! gets them
+        character(*), intent(in) :: name             !! of its files
+        character(*), intent(in) :: view             !! what is seen
+        character(*), intent(in) :: x_axis           !! name and unit
+        character(*), intent(in) :: y_axis           !! name and unit
+        picture%name = name
+        picture%view = view
+        picture%x_axis = x_axis
+        picture%y_axis = y_axis
+    end subroutine set_texts
+
+end module app_pictures

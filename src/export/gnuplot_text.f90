@@ -1,0 +1,85 @@
+!> Text and numbers as gnuplot reads them. Text of a deck may be any bytes; here it becomes
+!> harmless: a single-quoted string, in which gnuplot looks for no escapes, macros or commands.
+module export_gnuplot_text
+    use base_kinds, only: dp
+    implicit none (type, external)
+    private
+
+    public :: quoted, plain, number_text
+
+contains
+
+    !> A text as a gnuplot string.
+    pure function quoted(text)
+        character(*), intent(in) :: text !! any bytes
+        character(:), allocatable :: quoted
+        character(:), allocatable :: safe
+        integer :: i
+
+        safe = plain(text)
+        quoted = ''''
+        do i = 1, len(safe)
+            if (safe(i:i) == '''') quoted = quoted//''''
+            quoted = quoted//safe(i:i)
+        end do
+        quoted = quoted//''''
+    end function quoted
+
+    !> A text as sound UTF-8 on one line: a control byte becomes a blank, a byte that is no UTF-8 a
+    !> question mark.
+    pure function plain(text) result(safe)
+        character(*), intent(in) :: text !! any bytes
+        character(:), allocatable :: safe
+        integer :: i, length
+
+        safe = text
+        i = 1
+        do while (i <= len(text))
+            length = character_length(text(i:))
+            if (length == 0) then
+                safe(i:i) = '?'
+            else if (is_control(text(i:i + length - 1))) then
+                safe(i:i + length - 1) = ''
+            end if
+            i = i + max(1, length)
+        end do
+    end function plain
+
+    !> True for the characters below blank, delete, and their like of Latin-1 (U+0080 to U+009F).
+    pure logical function is_control(letter)
+        character(*), intent(in) :: letter !! one character in UTF-8
+        integer :: first
+        first = ichar(letter(1:1))
+        is_control = first < 32 .or. first == 127
+        if (first == 194) is_control = ichar(letter(2:2)) < 160
+    end function is_control
+
+    !> Bytes of the character in front of a text; 0 where it is no UTF-8 (RFC 3629, section 4).
+    pure integer function character_length(text) result(length)
+        character(*), intent(in) :: text !! at least one byte
+        integer :: first, second, i
+
+        first = ichar(text(1:1))
+        length = 0
+        if (first < 128) length = 1
+        if (first >= 194 .and. first < 224) length = 2
+        if (first >= 224 .and. first < 240) length = 3
+        if (first >= 240 .and. first < 245) length = 4
+        if (length > len(text)) length = 0
+        if (length < 2) return
+        second = ichar(text(2:2))
+        if (first == 224 .and. second < 160 .or. first == 237 .and. second >= 160 .or. &
+            first == 240 .and. second < 144 .or. first == 244 .and. second >= 144) length = 0
+        do i = length, 2, -1
+            if (iand(ichar(text(i:i)), 192) /= 128) length = 0
+        end do
+    end function character_length
+
+    !> A number with all its figures.
+    pure function number_text(value) result(text)
+        real(dp), intent(in) :: value !! a finite number
+        character(24) :: text
+        write (text, '(es24.16e3)') value
+    end function number_text
+
+end module export_gnuplot_text
