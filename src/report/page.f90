@@ -9,8 +9,8 @@ module report_page
 
     public :: page_type
 
-    !> Columns of a page.
-    integer, parameter, public :: page_columns = 80
+    !> Columns of a page, and of the widest page.
+    integer, parameter, public :: page_columns = 80, widest_page = 132
     !> Lines of a page, heading and foot margin included, as on the 11-inch form at 6 lines an inch.
     integer, parameter :: page_lines = 60
     !> What stands for the rest of a text that is cut.
@@ -25,16 +25,21 @@ module report_page
         character(:), allocatable :: deck       !! second line, left
         character(:), allocatable :: units      !! second line, middle
         integer :: number = 0                   !! of the present page
-        integer :: used = page_lines            !! lines of it that are filled
+        integer :: columns = page_columns       !! of a page
+        integer :: lines = page_lines           !! of a page
+        integer :: used = widest_page*page_lines !! lines of this one filled; none is begun
         integer :: heads = 0                    !! lines of column heading in force
-        character(page_columns) :: head(most_heads)
+        character(widest_page) :: head(most_heads)
     contains
         procedure :: set_heading
+        procedure :: set_size
         procedure :: line
+        procedure :: paragraph
         procedure :: blank
         procedure :: keep
         procedure :: set_columns
         procedure :: end_columns
+        procedure, private :: spread_out
     end type page_type
 
 contains
@@ -50,21 +55,49 @@ contains
         page%units = units
     end subroutine set_heading
 
+    !> Says how large a page is; 80 columns and 60 lines unless said.
+    subroutine set_size(page, columns, lines)
+        class(page_type), intent(inout) :: page !! the listing, nothing printed yet
+        integer, intent(in) :: columns          !! at most `widest_page`
+        integer, intent(in) :: lines            !! heading included
+        page%columns = columns
+        page%lines = lines
+    end subroutine set_size
+
     !> Prints a line, on a new page where this one is full.
     subroutine line(page, out, text)
         class(page_type), intent(inout) :: page !! the listing
         type(output_type), intent(inout) :: out !! where it goes
         character(*), intent(in) :: text        !! the line
-        if (page%used >= page_lines) call turn(page, out)
+        if (page%used >= page%lines) call turn(page, out)
         call out%line(trim(text))
         page%used = page%used + 1
     end subroutine line
+
+    !> Prints a sentence of any length, broken between words.
+    subroutine paragraph(page, out, text)
+        class(page_type), intent(inout) :: page !! the listing
+        type(output_type), intent(inout) :: out !! where it goes
+        character(*), intent(in) :: text        !! one or more sentences
+        character(:), allocatable :: rest
+        integer :: last
+
+        rest = trim(text)
+        do while (len(rest) > page%columns)
+            last = index(rest(:page%columns + 1), ' ', back=.true.) - 1
+            if (last <= 2) last = page%columns
+            call page%line(out, rest(:last))
+            rest = '  '//adjustl(rest(last + 1:))
+            rest = trim(rest)
+        end do
+        call page%line(out, rest)
+    end subroutine paragraph
 
     !> Prints blank lines; at the foot of a page they are left out.
     subroutine blank(page, out)
         class(page_type), intent(inout) :: page !! the listing
         type(output_type), intent(inout) :: out !! where it goes
-        if (page%used >= page_lines) return
+        if (page%used >= page%lines) return
         call out%line('')
         page%used = page%used + 1
     end subroutine blank
@@ -74,7 +107,7 @@ contains
         class(page_type), intent(inout) :: page !! the listing
         type(output_type), intent(inout) :: out !! where it goes
         integer, intent(in) :: lines            !! lines that belong together
-        if (page%used + lines > page_lines) call turn(page, out)
+        if (page%used + lines > page%lines) call turn(page, out)
     end subroutine keep
 
     !> Prints a column heading and repeats it on every page from now on.
@@ -108,8 +141,8 @@ contains
         page%number = page%number + 1
         if (page%number > 1) call out%put(achar(12))
         mark = 'PAGE '//to_text(page%number)
-        call out%line(spread_out(page%title, '', mark))
-        call out%line(spread_out(page%deck, page%units, 'LOFT '//version))
+        call out%line(page%spread_out(page%title, '', mark))
+        call out%line(page%spread_out(page%deck, page%units, 'LOFT '//version))
         call out%line('')
         page%used = 3
         do i = 1, page%heads
@@ -119,20 +152,20 @@ contains
 
     !> Three texts on one line of a page: left, middle, right. The left text is cut where there is no
     !> room for it. Its characters are counted, not its bytes, since a title may be in UTF-8.
-    pure function spread_out(left, middle, right) result(text)
+    pure function spread_out(page, left, middle, right) result(text)
+        class(page_type), intent(in) :: page !! the listing
         character(*), intent(in) :: left   !! begins the line
         character(*), intent(in) :: middle !! about column 40, or nothing
         character(*), intent(in) :: right  !! ends the line
         character(:), allocatable :: text
-        integer, parameter :: centre = page_columns/2
         integer :: room
 
-        room = page_columns - len(right) - 1
+        room = page%columns - len(right) - 1
         if (middle /= '') room = room - len(middle) - 2
         text = left
         if (characters(text) > room) text = text(:first_bytes(text, room - len(cut)))//cut
-        if (middle /= '') text = text//row_of(' ', max(2, centre - characters(text)))//middle
-        text = text//row_of(' ', page_columns - characters(text) - len(right))//right
+        if (middle /= '') text = text//row_of(' ', max(2, page%columns/2 - characters(text)))//middle
+        text = text//row_of(' ', page%columns - characters(text) - len(right))//right
     end function spread_out
 
 end module report_page
