@@ -1,13 +1,14 @@
-!> An arc of a conic: from a point with its tangent, through a shoulder point, to another point with
-!> its tangent. It is kept as a rational quadratic about the middle m of its chord c, with h = c/2:
+!> An arc of a conic: from a point with its tangent, through a shoulder point, to another point
+!> with its tangent. It is kept as a rational quadratic about the middle m of its chord c, with
+!> h = c/2:
 !>
 !>     p = m + (2 a b g + (b**2 - a**2) h)/((a - b)**2 + 2 a b q)        a : b from 1 : 0 to 0 : 1
 !>
 !> where q = 1 + w is the fullness, w the weight of the conic, and g = v1 - w h the bulge, v1 the
 !> weighted way from the start to the intersection of the end tangents. No term cancels another,
-!> also not where w nears -1 and the arc nears a whole ellipse; parallel end tangents (w = 0), vertical
-!> ones and straight lines (g = 0, w = 1) are no special cases. The numbers are twofold and
-!> in units of `size`, a power of two, so that evaluation rounds once.
+!> also not where w nears -1 and the arc nears a whole ellipse; parallel end tangents (w = 0),
+!> vertical ones and straight lines (g = 0, w = 1) are no special cases. The numbers are twofold
+!> and in units of `size`, a power of two, so that evaluation rounds once.
 !>
 !> Source: E. Lee, "The rational Bezier representation for conics", in G. Farin (ed.), "Geometric
 !> Modeling", SIAM 1987, pp. 3-19; here written about the middle of the chord.

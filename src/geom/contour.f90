@@ -184,11 +184,13 @@ contains
         type(stretch_type), intent(inout) :: stretch        !! counts are filled in
         type(error_type), allocatable, intent(out) :: error !! see `contour_of`
         integer(i64) :: last
+        logical :: upward
 
         call check_steps(grid, from, to, error)
         if (allocated(error)) return
         stretch%rising = to > from
-        stretch%stride = merge(1_i64, -1_i64, grid%steps_to(to) > grid%steps_to(from))
+        upward = grid%ordinate(1_i64) > grid%ordinate(0_i64)
+        stretch%stride = merge(1_i64, -1_i64, stretch%rising .eqv. upward)
         stretch%first = step_inside(grid, from, sign(noise, to - from), stretch%stride)
         last = step_inside(grid, to, sign(noise, from - to), -stretch%stride)
         stretch%count = max(0_i64, (last - stretch%first)*stretch%stride + 1_i64)

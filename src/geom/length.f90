@@ -1,12 +1,13 @@
 !> The length of an arc, and places at given lengths along it.
 !>
 !> Each half of the arc, from an end to the shoulder, is run through by a parameter s of its own in
-!> which its two ends have equal standing: with k = 1/sqrt(2 q)
+!> which its two ends have equal standing: with k = 1/sqrt(2 q) and v1, h, q of `geom_arc`
 !>
-!>     alpha = 1 - s + k s,    beta = k s,    |dp/ds| = 2 k |n|/D**2
+!>     alpha = r + k s,    beta = k s,    r = 1 - s
+!>     |dp/ds| = 2 k |r**2 v1 + 2 r s k (v1 + h) + s**2 h|/(r**2 + r s/k + s**2)**2
 !>
-!> (n, D and q of `geom_arc_point`), so that an almost whole ellipse is as smooth as a quarter. The
-!> parameter u of the whole arc is -1 at the start, 0 at the shoulder and 1 at the finish.
+!> so that an almost whole ellipse is as smooth as a quarter. The parameter u of the whole arc is
+!> -1 at the start, 0 at the shoulder and 1 at the finish.
 !>
 !> Source: G. Farin, "Curves and Surfaces for CAGD", 5th ed., 12.4 (subdivision of a conic at its
 !> shoulder and return to standard form).
@@ -26,9 +27,9 @@ module geom_length
 
     !> The speed |dp/ds| on the first half of an arc.
     type, extends(integrand_type) :: speed_type
-        real(dp) :: half(2) = 0.0_dp     !! half the chord, deck units
-        real(dp) :: bulge(2) = 0.0_dp    !! the bulge, deck units
-        real(dp) :: fullness = 2.0_dp    !! q
+        real(dp) :: leaving(2) = 0.0_dp  !! v1, deck units
+        real(dp) :: turning(2) = 0.0_dp  !! k (v1 + h), deck units
+        real(dp) :: half(2) = 0.0_dp     !! h, half the chord, deck units
         real(dp) :: scale = 0.5_dp       !! k
     contains
         procedure :: at => speed_at
@@ -135,24 +136,22 @@ contains
     !> The speed on the first half of an arc.
     pure type(speed_type) function speed_from_start(arc) result(speed)
         type(arc_type), intent(in) :: arc !! any arc
+        speed%scale = 1.0_dp/sqrt(2.0_dp*to_real(arc%fullness))
+        speed%leaving = arc%size*to_real(arc%leaving)
+        speed%turning = arc%size*speed%scale*to_real(arc%leaving + arc%half)
         speed%half = arc%size*to_real(arc%half)
-        speed%bulge = arc%size*to_real(arc%bulge)
-        speed%fullness = to_real(arc%fullness)
-        speed%scale = 1.0_dp/sqrt(2.0_dp*speed%fullness)
     end function speed_from_start
 
-    !> |dp/ds| at s, deck units. Here n is written with bulge and fullness, where nothing cancels.
+    !> |dp/ds| at s, deck units.
     pure real(dp) function speed_at(f, t) result(speed)
         class(speed_type), intent(in) :: f !! first half of an arc
         real(dp), intent(in) :: t          !! the half's parameter s, 0 to 1
-        real(dp) :: apart, a, b, along, denominator
+        real(dp) :: r, denominator
 
-        apart = 1.0_dp - t
-        b = f%scale*t
-        a = apart + b
-        along = f%fullness*(a**2 + b**2) - apart**2
-        denominator = apart**2 + 2.0_dp*a*b*f%fullness
-        speed = 2.0_dp*f%scale*norm2(apart*(a + b)*f%bulge + along*f%half)/denominator**2
+        r = 1.0_dp - t
+        denominator = r**2 + r*t/f%scale + t**2
+        speed = 2.0_dp*f%scale/denominator**2 &
+            *norm2(r**2*f%leaving + 2.0_dp*r*t*f%turning + t**2*f%half)
     end function speed_at
 
     !> |dp/du| at u, deck units.

@@ -1,6 +1,6 @@
 !> The conic of a card as the 1970 program set it up, `A x**2 + B x y + C y**2 + D x + E y = -1`,
-!> with the origin shifted so that no point is near it, but solved by LAPACK: a check on the arc, and on
-!> what the shift does to the condition.
+!> with the origin shifted so that no point is near it, but solved by LAPACK: a check on the arc,
+!> and on what the shift does to the condition.
 !>
 !> Source: SAE 700202, "Determining aircraft contours by computer", appendix A: three rows
 !> `x**2, x y, y**2, x, y, -1` for the points, two rows `2 x, y + s x, 2 s y, 1, s, 0` for the

@@ -17,17 +17,17 @@ program test_arc_point
     real(dp) :: p(2), q(2), worst(4)
     integer :: i
 
-    call check_circle([1.0_dp, 0.0_dp], up, [0.6_dp, 0.8_dp], [0.0_dp, 1.0_dp], flat, 1.0_dp, &
-        'a quarter circle')
-    call check_circle([1.0_dp, 0.0_dp], up, [0.0_dp, 1.0_dp], [-1.0_dp, 0.0_dp], up, 1.0_dp, &
-        'a semicircle')
-    call check_circle([1.0_dp, 0.0_dp], up, [0.0_dp, -1.0_dp], [-1.0_dp, 0.0_dp], up, -1.0_dp, &
-        'a semicircle turning right')
-    call check_circle([1.0_dp, 0.0_dp], up, [-1.0_dp, 0.0_dp], [0.0_dp, -1.0_dp], flat, 1.0_dp, &
-        'three quarters of a circle')
-    call check_circle([-0.28_dp, 0.96_dp], [0.96_dp, 0.28_dp], [0.0_dp, -1.0_dp], [0.28_dp, &
-        0.96_dp], &
-        [0.96_dp, -0.28_dp], 1.0_dp, 'all of a circle but a notch')
+    arc = card([1.0_dp, 0.0_dp], up, [0.6_dp, 0.8_dp], [0.0_dp, 1.0_dp], flat)
+    call check_circle(arc, 1.0_dp, 'a quarter circle')
+    arc = card([1.0_dp, 0.0_dp], up, [0.0_dp, 1.0_dp], [-1.0_dp, 0.0_dp], up)
+    call check_circle(arc, 1.0_dp, 'a semicircle')
+    arc = card([1.0_dp, 0.0_dp], up, [0.0_dp, -1.0_dp], [-1.0_dp, 0.0_dp], up)
+    call check_circle(arc, -1.0_dp, 'a semicircle turning right')
+    arc = card([1.0_dp, 0.0_dp], up, [-1.0_dp, 0.0_dp], [0.0_dp, -1.0_dp], flat)
+    call check_circle(arc, 1.0_dp, 'three quarters of a circle')
+    arc = card([-0.28_dp, 0.96_dp], [0.96_dp, 0.28_dp], [0.0_dp, -1.0_dp], [0.28_dp, 0.96_dp], &
+        [0.96_dp, -0.28_dp])
+    call check_circle(arc, 1.0_dp, 'all of a circle but a notch')
 
     arc = card([0.0_dp, 0.0_dp], flat, [1.0_dp, 1.0_dp], [2.0_dp, 4.0_dp], [1.0_dp, 4.0_dp])
     worst = 0.0_dp
@@ -116,15 +116,14 @@ contains
     end function sheared
 
     !> Checks points, tangents and curvatures of an arc of the unit circle.
-    subroutine check_circle(p1, t1, p2, p3, t3, turn, name)
-        real(dp), intent(in) :: p1(2), t1(2), p2(2), p3(2), t3(2), turn
+    subroutine check_circle(arc, turn, name)
+        type(arc_type), intent(in) :: arc
+        real(dp), intent(in) :: turn
         character(*), intent(in) :: name
-        type(arc_type) :: arc
         type(place_type) :: place
         real(dp) :: p(2), t(2), worst(3)
         integer :: i
 
-        arc = card(p1, t1, p2, p3, t3)
         worst = 0.0_dp
         do i = 0, 32
             place = place_at(0.03125_dp*real(i, dp))

@@ -94,6 +94,10 @@ program test_contour
     call expect_x([0.3_dp, 0.3_dp], 'a line across the axis has its two ends')
     call tap%ok(all(rows%slope%is_vertical), 'which are vertical')
 
+    arc = line_between([-4.0e-57_dp, 0.0_dp], [3.0e-57_dp, 1.0e-57_dp])
+    call step(1, -40_i64, 3_i64)
+    call expect_x([-4.0e-57_dp, 3.0e-57_dp], 'an arc too small for the steps has its ends')
+
     arc = line_between([0.0_dp, 0.0_dp], [9999.8_dp, 1.0_dp])
     call step(1, 0_i64, 1_i64)
     call tap%ok(.not. allocated(error) .and. size(rows) == largest_table - 1, &

@@ -11,7 +11,8 @@ program test_quadrature
     type(error_type), allocatable :: error
     real(dp) :: value
 
-    call check(power_22, 0.0_dp, 1.0_dp, 1.0_dp/23.0_dp, 'x**22, which the rule of 15 points has exactly')
+    call check(power_22, 0.0_dp, 1.0_dp, 1.0_dp/23.0_dp, &
+        'x**22, which the rule of 15 points has exactly')
     call check(exponential, 0.0_dp, 1.0_dp, exp(1.0_dp) - 1.0_dp, 'exp x')
     call check(peak, -1.0_dp, 1.0_dp, 2.0e4_dp*atan(1.0e4_dp), 'a peak a ten-thousandth wide')
     call check(root, 0.0_dp, 1.0_dp, 2.0_dp/3.0_dp, 'the square root, steep at its end')
