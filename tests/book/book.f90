@@ -55,20 +55,21 @@ contains
         integer :: i
 
         do i = 1, size(figures)
-            if (i == 1) then
-                call head_table(figures(i))
-            else if (is_other_table(figures(i - 1), figures(i))) then
-                call head_table(figures(i))
-            end if
+            if (begins_table(figures, i)) call head_table(figures(i))
             call compare_figure(figures(i), card_named(figures(i)%line), decimals, counted)
         end do
     end subroutine compare
 
-    !> True where the second figure begins a table.
-    pure logical function is_other_table(a, b)
-        type(figure_type), intent(in) :: a, b
-        is_other_table = a%line /= b%line .or. a%axis /= b%axis .or. a%column /= b%column
-    end function is_other_table
+    !> True where a figure begins a table: the one before it is of another.
+    pure logical function begins_table(figures, i)
+        type(figure_type), intent(in) :: figures(:)
+        integer, intent(in) :: i
+        begins_table = i == 1
+        if (begins_table) return
+        associate (a => figures(i - 1), b => figures(i))
+            begins_table = a%line /= b%line .or. a%axis /= b%axis .or. a%column /= b%column
+        end associate
+    end function begins_table
 
     !> Prints the head of a table.
     subroutine head_table(figure)

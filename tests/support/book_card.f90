@@ -3,7 +3,7 @@
 module support_book_card
     use base_error, only: error_type
     use base_fault, only: fault_list_type
-    use base_kinds, only: dp
+    use base_kinds, only: dp, i64
     use base_output, only: output_type
     use body_card_arc, only: arc_of_card
     use body_card_facts, only: card_facts_type, facts_of_card
@@ -146,10 +146,11 @@ contains
         type(book_card_type), intent(in) :: card !! the card
         character, intent(in) :: axis            !! which was stepped
         character(:), allocatable :: page
-        integer :: last
-        last = index(card%page, form_feed, back=.true.)
+        integer(i64) :: first, last
+        first = index(card%page, form_feed, kind=i64) + 1
+        last = index(card%page, form_feed, back=.true., kind=i64)
         page = card%page(last + 1:)
-        if (axis /= 'Y' .and. last > 1) page = card%page(index(card%page, form_feed) + 1:last - 1)
+        if (axis /= 'Y' .and. last > first) page = card%page(first:last - 1)
     end function page_of
 
     !> A line of a page, with blanks enough to take columns from.

@@ -10,9 +10,17 @@ golden_output() {
     deck=cards/${name%%.*}.crd
     case ${name#*.} in
     s360.lst) "$LOFT" run --arithmetic s360 "$deck" 2> /dev/null ;;
-    ieee.lst) "$LOFT" run --arithmetic ieee "$deck" 2> /dev/null ;;
+    ieee.lst) "$LOFT" run --arithmetic ieee "$deck" 2> /dev/null > "$new.all"
+              status=$?
+              without_lapack "$new.all"; rm -f "$new.all"
+              return "$status" ;;
     csv)      "$LOFT" run --format csv "$deck" 2> /dev/null ;;
     check)    "$LOFT" check "$deck" 2>&1 ;;
     *)        echo "$1: no such kind of golden file" >&2; return 2 ;;
     esac
+}
+
+# Leaves out the figures of the five equations: their last digits are those of the LAPACK at hand.
+without_lapack() {
+    awk '/^$/ { skipping = 0 } !skipping; /^THE SAME FROM FIVE EQUATIONS/ { skipping = 1 }' "$1"
 }
