@@ -91,12 +91,12 @@ contains
         integer :: i
 
         if (.not. arc%finish(1) > arc%start(1)) then
-            call fail(error, cause%not_single_valued, &
-                'arc '//to_text(number)// &
-                ' begins and ends at '//compact(arc%start(1))//'; it must lead from one station to another')
+            call fail(error, cause%not_single_valued, 'arc '//to_text(number)// &
+                ' begins and ends at '//compact(arc%start(1))// &
+                '; it must lead from one station to another')
             return
         end if
-        turns = turning_places(arc, 1)
+        allocate (turns, source=turning_places(arc, 1))
         do i = 1, size(turns)
             turn = point(arc, turns(i))
             if (turn(1) >= arc%start(1) - noise(arc) .and. &

@@ -16,11 +16,13 @@ program test_line
     line%side = straight(-30.0_dp, 50.0_dp)
     call constant_chain(0.0_dp, line%plan)
     call limit_line(line)
-    call tap%ok(line%from == -30.0_dp .and. line%to == 50.0_dp, 'a centre line is where its side view is')
+    call tap%ok(line%from == -30.0_dp .and. line%to == 50.0_dp, &
+        'a centre line is where its side view is')
     line%has_plan = .true.
     line%plan = straight(-20.0_dp, 60.0_dp)
     call limit_line(line)
-    call tap%ok(line%from == -20.0_dp .and. line%to == 50.0_dp, 'a line is where both its views are')
+    call tap%ok(line%from == -20.0_dp .and. line%to == 50.0_dp, &
+        'a line is where both its views are')
     line%plan = straight(60.0_dp, 70.0_dp)
     call limit_line(line)
     call tap%ok(line%to < line%from, 'views apart leave nothing')
@@ -28,14 +30,17 @@ program test_line
     line%has_angle = .true.
     line%angle = straight(0.0_dp, 10.0_dp)
     call limit_line(line)
-    call tap%ok(line%from == -20.0_dp .and. line%to == 50.0_dp, 'an angle of the same name does not limit it')
+    call tap%ok(line%from == -20.0_dp .and. line%to == 50.0_dp, &
+        'an angle of the same name does not limit it')
     line%has_side = .false.
     line%has_plan = .false.
     call limit_line(line)
-    call tap%ok(line%from == 0.0_dp .and. line%to == 10.0_dp, 'a line of angles alone is where they are')
+    call tap%ok(line%from == 0.0_dp .and. line%to == 10.0_dp, &
+        'a line of angles alone is where they are')
     call constant_chain(90.0_dp, line%angle)
     call limit_line(line)
-    call tap%ok(line%from == -huge(1.0_dp) .and. line%to == huge(1.0_dp), 'a constant is everywhere')
+    call tap%ok(line%from == -huge(1.0_dp) .and. line%to == huge(1.0_dp), &
+        'a constant is everywhere')
     call tap%finish()
 
 contains

@@ -21,7 +21,8 @@ program test_chain
     type(error_type), allocatable :: error
     logical :: is_vertical
 
-    parabola = made([1.0_dp, 1.0_dp], [1.0_dp, 2.0_dp], [2.0_dp, 4.0_dp], [3.0_dp, 9.0_dp], [1.0_dp, 6.0_dp])
+    parabola = made([1.0_dp, 1.0_dp], [1.0_dp, 2.0_dp], [2.0_dp, 4.0_dp], [3.0_dp, 9.0_dp], &
+        [1.0_dp, 6.0_dp])
     quarter = made([0.0_dp, 0.0_dp], up, [0.2_dp, 0.6_dp], [1.0_dp, 1.0_dp], flat)
     tail = line_between([3.0_dp, 9.0_dp], [5.0_dp, 8.0_dp])
 
@@ -65,7 +66,8 @@ program test_chain
     call constant_chain(-7.25_dp, chain)
     call tap%ok(chain_from(chain) == -huge(1.0_dp) .and. chain_to(chain) == huge(1.0_dp), &
         'a constant is everywhere')
-    call tap%ok(chain_has(chain, -1.0e300_dp) .and. size(chain_joints(chain)) == 0, 'without joints')
+    call tap%ok(chain_has(chain, -1.0e300_dp) .and. size(chain_joints(chain)) == 0, &
+        'without joints')
     call tap%ok(chain_value(chain, 12.0_dp) == -7.25_dp, 'with its value')
     call chain_jet(chain, 3.0_dp, jet, is_vertical)
     call tap%ok(jet%value == -7.25_dp .and. jet%first == 0.0_dp .and. jet%second == 0.0_dp .and. &
@@ -81,14 +83,17 @@ contains
     subroutine check_refusals()
         type(arc_type) :: arc
 
-        arc = made([0.0_dp, 0.0_dp], up, [1.0_dp, 1.0_dp], [1.8_dp, 0.6_dp], [-0.6_dp, -0.8_dp]*[-1.0_dp, 1.0_dp])
+        arc = made([0.0_dp, 0.0_dp], up, [1.0_dp, 1.0_dp], [1.8_dp, 0.6_dp], &
+            [-0.6_dp, -0.8_dp]*[-1.0_dp, 1.0_dp])
         call new_chain([arc], chain, error)
         call tap%ok(.not. allocated(error), 'an arc down to 1.8 of a circle to 2 is single-valued')
         arc = made([1.0_dp, 2.0_dp], flat, [2.0_dp, 1.0_dp], [1.6_dp, 0.2_dp], [0.8_dp, 0.6_dp])
         call new_chain([parabola, arc], chain, error)
         call tap%ok(refused(cause%not_single_valued), 'past 2 it is not')
-        if (allocated(error)) call tap%same(error%message, 'arc 2 from (1., 2.) to (1.6, 0.2) turns '// &
-            'past the vertical at (2., 1.) and has two ordinates there; end it where it is vertical', &
+        if (allocated(error)) call tap%same(error%message, &
+            'arc 2 from (1., 2.) to (1.6, 0.2) turns '// &
+            'past the vertical at (2., 1.) and has two ordinates there; '// &
+            'end it where it is vertical', &
             'and the message names the arc and where it turns')
         arc = made([1.0_dp, 1.0_dp], flat, [1.6_dp, 0.8_dp], [2.0_dp, 0.0_dp], up)
         call new_chain([arc], chain, error)
@@ -103,10 +108,13 @@ contains
 
         call new_chain([parabola, line_between([3.001_dp, 9.0_dp], [5.0_dp, 8.0_dp])], chain, error)
         call tap%ok(refused(cause%joint_gap), 'arcs .001 apart do not meet')
-        call new_chain([parabola, line_between([3.001_dp, 9.0_dp], [5.0_dp, 8.0_dp])], 0.002_dp, chain, error)
+        call new_chain([parabola, line_between([3.001_dp, 9.0_dp], [5.0_dp, 8.0_dp])], 0.002_dp, &
+            chain, error)
         call tap%ok(.not. allocated(error), 'but do where .002 is allowed')
-        call tap%ok(chain_value(chain, 3.0005_dp) == 9.0_dp, 'and between them the last ordinate stays')
-        call new_chain([parabola, line_between([2.999_dp, 9.0_dp], [5.0_dp, 8.0_dp])], 0.002_dp, chain, error)
+        call tap%ok(chain_value(chain, 3.0005_dp) == 9.0_dp, &
+            'and between them the last ordinate stays')
+        call new_chain([parabola, line_between([2.999_dp, 9.0_dp], [5.0_dp, 8.0_dp])], 0.002_dp, &
+            chain, error)
         call tap%ok(chain_value(chain, 2.999_dp) == 9.0_dp, 'of an overlap the later arc counts')
         call new_chain([parabola, line_between([2.0_dp, 9.0_dp], [5.0_dp, 8.0_dp])], chain, error)
         call tap%ok(refused(cause%joint_gap), 'arcs that overlap do not meet')
@@ -114,7 +122,8 @@ contains
         call tap%ok(refused(cause%joint_gap), 'arcs out of order do not meet')
         call new_chain([line_between([0.1_dp + 0.2_dp, 0.0_dp], [0.7_dp, 1.0_dp]), &
             line_between([0.0_dp, 0.0_dp], [0.3_dp, 0.0_dp])], chain, error)
-        call tap%ok(.not. allocated(error), 'decimals that binary holds differently meet, aft to fore')
+        call tap%ok(.not. allocated(error), &
+            'decimals that binary holds differently meet, aft to fore')
     end subroutine check_refusals
 
     !> Random arcs against Liming's equation of the doubles as read, in quadruple precision:
@@ -133,8 +142,10 @@ contains
         tried = 0
         do i = 1, 20000
             ends(1)%point = [random%between(-100.0_dp, 100.0_dp), random%between(-50.0_dp, 50.0_dp)]
-            corner = ends(1)%point + [random%between(0.0_dp, 40.0_dp), random%between(-40.0_dp, 40.0_dp)]
-            ends(2)%point = corner + [random%between(0.0_dp, 40.0_dp), random%between(-40.0_dp, 40.0_dp)]
+            corner = ends(1)%point + [random%between(0.0_dp, 40.0_dp), &
+                random%between(-40.0_dp, 40.0_dp)]
+            ends(2)%point = corner + [random%between(0.0_dp, 40.0_dp), &
+                random%between(-40.0_dp, 40.0_dp)]
             ends(1)%tangent = corner - ends(1)%point
             ends(2)%tangent = ends(2)%point - corner
             x = random%between(0.05_dp, 0.95_dp)
@@ -147,7 +158,8 @@ contains
             worst = max(worst, errors_at(ends, shoulder, x))
         end do
         call tap%ok(tried > 19000, 'almost all random arcs make a chain')
-        call tap%near(worst(1), 0.0_dp, 0.51_dp, 'ordinates are within .51 ulp, normal to the curve')
+        call tap%near(worst(1), 0.0_dp, 0.51_dp, &
+            'ordinates are within .51 ulp, normal to the curve')
         call tap%near(worst(2), 0.0_dp, 2.0_dp, 'slopes are within 2 ulp of themselves')
         call tap%near(worst(3), 0.0_dp, 8.0_dp, 'second derivatives are within 8 ulp of themselves')
         call tap%note('worst: ordinate, slope, second derivative in ulp')
@@ -167,15 +179,17 @@ contains
         call chain_jet(chain, x, jet, is_up)
         errors = 0.0_dp
         if (is_up) return
-        c = real(ends(2)%point, qp) - ends(1)%point
+        c = real(ends(2)%point, qp) - real(ends(1)%point, qp)
         associate (p => real(shoulder, qp), p1 => ends(1)%point, p3 => ends(2)%point)
             ratio = area(p, p1, c)**2/(area(p, p1, real(ends(1)%tangent, qp))* &
                 area(p, p3, real(ends(2)%tangent, qp)))
         end associate
-        y = jet%value
+        y = real(jet%value, qp)
         do i = 1, 3
-            associate (u => c, v => real(ends(1)%tangent, qp), w => real(ends(2)%tangent, qp), p => [real(x, qp), y])
-                associate (cu => area(p, ends(1)%point, u), cv => area(p, ends(1)%point, v), cw => area(p, ends(2)%point, w))
+            associate (u => c, v => real(ends(1)%tangent, qp), w => real(ends(2)%tangent, qp), &
+                p => [real(x, qp), y])
+                associate (cu => area(p, ends(1)%point, u), cv => area(p, ends(1)%point, v), &
+                    cw => area(p, ends(2)%point, w))
                     f = cu**2 - ratio*cv*cw
                     fx = 2*cu*u(2) - ratio*(v(2)*cw + cv*w(2))
                     fy = -2*cu*u(1) + ratio*(v(1)*cw + cv*w(1))
@@ -190,15 +204,15 @@ contains
         end do
         first = -fx/fy
         second = -(fxx + first*(2*fxy + first*fyy))/fy
-        errors(2) = real(abs(jet%first - first)/abs(first), dp)/epsilon(x)
-        errors(3) = real(abs(jet%second - second)/abs(second), dp)/epsilon(x)
+        errors(2) = real(abs(real(jet%first, qp) - first)/abs(first), dp)/epsilon(x)
+        errors(3) = real(abs(real(jet%second, qp) - second)/abs(second), dp)/epsilon(x)
     end function errors_at
 
     !> The product of the way from a point to p with a vector.
     pure real(qp) function area(p, from, v)
         real(qp), intent(in) :: p(2), v(2)
         real(dp), intent(in) :: from(2)
-        area = (p(1) - from(1))*v(2) - (p(2) - from(2))*v(1)
+        area = (p(1) - real(from(1), qp))*v(2) - (p(2) - real(from(2), qp))*v(1)
     end function area
 
     !> True where an error of a cause is met.

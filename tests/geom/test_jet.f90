@@ -8,7 +8,8 @@ program test_jet
     type(tap_type) :: tap
     type(jet_type) :: jet
 
-    call tap%ok(all([jet%value, jet%first, jet%second] == 0.0_dp), 'an unset jet is zero, level and straight')
+    call tap%ok(all([jet%value, jet%first, jet%second] == 0.0_dp), &
+        'an unset jet is zero, level and straight')
     jet = jet_type(1.0_dp, 2.0_dp, 3.0_dp)
     call tap%ok(jet%value == 1.0_dp .and. jet%first == 2.0_dp .and. jet%second == 3.0_dp, &
         'a jet is made of value, slope and second derivative in this order')
