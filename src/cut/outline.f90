@@ -1,0 +1,78 @@
+!> The outlines that a plane cuts from a body, as plain data: tables, CSV, pictures, drawings and
+!> CAD files are all written from these.
+!>
+!> A cut is a set of outlines, each one a chain of pieces. A piece belongs to one section of the
+!> body and goes one way in STA (or, in a station, is one conic arc). Points stand in the order of
+!> the outline. An open outline begins at its foremost end; a closed one at its foremost point, and
+!> runs counter-clockwise in its view; its last point is not its first again. In a station the order
+!> is that of the sections, from start line to end line.
+!>
+!> Where two sections meet in an outline both give the point, the one that ends first: normal and
+!> slope may differ.
+module cut_outline
+    use base_kinds, only: dp
+    use cut_plane, only: plane_type
+    use geom_arc, only: arc_type
+    use geom_arc_point, only: slope_type
+    use geom_place, only: place_type
+    implicit none (type, external)
+    private
+
+    public :: cut_type, outline_type, piece_type, cut_point_type, note_type
+
+    !> A point of a cut. A value that does not exist is marked absent and is zero.
+    type :: cut_point_type
+        real(dp) :: at(3) = 0.0_dp          !! STA, BL, WL, deck units
+        real(dp) :: uv(2) = 0.0_dp          !! true-shape coordinates in the plane, deck units
+        integer :: section = 0              !! place in the body's list of sections
+        integer :: piece = 0                !! place in the outline's list of pieces
+        type(place_type) :: place           !! where on the section's arc at that STA
+        logical :: has_normal = .false.     !! normal and bevel exist
+        real(dp) :: normal(3) = 0.0_dp      !! outward unit normal of the skin
+        real(dp) :: bevel = 0.0_dp          !! of the flange, degrees, positive where open
+        logical :: has_slope = .false.      !! the slope exists
+        type(slope_type) :: slope           !! dv/du, or vertical
+        logical :: has_curvature = .false.  !! the curvature exists
+        real(dp) :: curvature = 0.0_dp      !! 1/deck unit, positive where the outline turns left
+    end type cut_point_type
+
+    !> A piece of an outline: exactly what curve it is.
+    type :: piece_type
+        integer :: section = 0              !! place in the body's list of sections
+        logical :: is_arc = .false.         !! of a station: `arc` is the piece
+        type(arc_type) :: arc               !! x is BL, y is WL; runs as the outline does
+        real(dp) :: from = 0.0_dp           !! STA where it begins, deck units
+        real(dp) :: to = 0.0_dp             !! STA where it ends, deck units; may be below `from`
+        integer :: branch = 0               !! `cut_branch`: which place of the section's arc
+        integer :: first = 0                !! its first point in the outline's list
+        integer :: last = 0                 !! its last point in the outline's list
+    end type piece_type
+
+    !> One outline.
+    type :: outline_type
+        logical :: is_closed = .false.                  !! it comes back to its first point
+        type(piece_type), allocatable :: pieces(:)      !! in order
+        type(cut_point_type), allocatable :: points(:)  !! in order
+    end type outline_type
+
+    !> Something the user will want to know of a cut.
+    type :: note_type
+        logical :: is_error = .false.           !! the cut can't be relied upon
+        character(:), allocatable :: message    !! plain words, no final point
+    end type note_type
+
+    !> A cut of a body by a plane.
+    type :: cut_type
+        type(plane_type) :: plane                       !! kind, normal, true-shape axes
+        character(8) :: name = ''                       !! of the card, or blank
+        logical :: is_flange_forward = .false.          !! for the bevel
+        type(outline_type), allocatable :: outlines(:)  !! of the skin's outside; none: plane misses
+        real(dp) :: skin = 0.0_dp                       !! thickness, deck units; 0: not asked
+        type(outline_type), allocatable :: inside(:)    !! of its inside, where asked: no
+                                                        !! pieces: `at` lies in the plane, `normal`,
+                                                        !! slope and curvature are of the inside
+        real(dp) :: disagreement = 0.0_dp               !! largest distance between the two ways
+        type(note_type), allocatable :: notes(:)        !! in no order
+    end type cut_type
+
+end module cut_outline

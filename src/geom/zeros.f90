@@ -1,0 +1,158 @@
+!> Where a function of one variable is zero in an interval: samples that crowd towards both ends, a
+!> search for the least magnitude wherever three samples show one, and bisection to the last bit.
+!>
+!> The function is to be smooth inside; at the ends it may have the infinite slope of a root. Two
+!> zeros closer together than the samples are found where the function between them has one extreme
+!> that three neighbouring samples show; that is so of any pair further apart than two samples.
+module geom_zeros
+    use base_constants, only: pi
+    use base_kinds, only: dp
+    implicit none (type, external)
+    private
+
+    public :: function_type, zeros_of, zero_between, sample_points
+
+    !> A function: extend it with what it needs to know.
+    type, abstract :: function_type
+    contains
+        procedure(value_at), deferred :: at
+    end type function_type
+
+    abstract interface
+        !> The value of the function.
+        pure real(dp) function value_at(f, x)
+            import :: dp, function_type
+            implicit none (type, external)
+            class(function_type), intent(in) :: f !! the function
+            real(dp), intent(in) :: x             !! where
+        end function value_at
+    end interface
+
+    !> Samples of an interval, not counting its ends: the nearest to an end is 1/4000 of the length
+    !> from it, the widest apart are 1/40 of the length.
+    integer, parameter :: samples = 63
+    !> Steps that narrow an extreme: each takes .618 of the interval.
+    integer, parameter :: narrowings = 60
+    !> Halvings that take any interval of doubles to its last bit.
+    integer, parameter :: halvings = 1100
+
+contains
+
+    !> The zeros inside an interval, in order, each once: where the sign changes and, of extremes,
+    !> where the magnitude is within `noise`. A function within `noise` at all samples has none.
+    pure function zeros_of(f, from, to, noise) result(zeros)
+        class(function_type), intent(in) :: f !! the function
+        real(dp), intent(in) :: from          !! lower end
+        real(dp), intent(in) :: to            !! upper end
+        real(dp), intent(in) :: noise         !! magnitude that is nothing but round-off
+        real(dp), allocatable :: zeros(:)
+        real(dp) :: x(samples), y(samples), extreme
+        integer :: i
+
+        allocate (zeros(0))
+        x = sample_points(from, to)
+        do i = 1, samples
+            y(i) = f%at(x(i))
+        end do
+        if (all(abs(y) <= noise)) return
+        do i = 2, samples
+            if (changes(y(i - 1), y(i))) zeros = [zeros, zero_between(f, x(i - 1), x(i))]
+            if (i == 2) cycle
+            if (.not. is_nearing(y(i - 2:i))) cycle
+            extreme = least_magnitude(f, x(i - 2), x(i), sign(1.0_dp, y(i)))
+            if (changes(y(i), f%at(extreme))) then
+                zeros = [zeros, zero_between(f, x(i - 2), extreme), zero_between(f, extreme, x(i))]
+            else if (abs(f%at(extreme)) <= noise) then
+                zeros = [zeros, extreme]
+            end if
+        end do
+    end function zeros_of
+
+    !> The samples of an interval, in order, without its ends.
+    pure function sample_points(from, to) result(x)
+        real(dp), intent(in) :: from !! lower end
+        real(dp), intent(in) :: to   !! upper end
+        real(dp) :: x(samples)
+        integer :: i
+        do i = 1, samples
+            x(i) = from + (to - from)*sin(0.5_dp*pi*real(i, dp)/real(samples + 1, dp))**2
+        end do
+    end function sample_points
+
+    !> True where two values have different signs; zero counts as above.
+    elemental logical function changes(first, second)
+        real(dp), intent(in) :: first  !! a value
+        real(dp), intent(in) :: second !! the next
+        changes = first < 0.0_dp .neqv. second < 0.0_dp
+    end function changes
+
+    !> True where three values of one sign have their least magnitude in the middle.
+    pure logical function is_nearing(y)
+        real(dp), intent(in) :: y(3) !! neighbouring values
+        is_nearing = .not. any(changes(y(1), y(2:3))) .and. abs(y(2)) <= min(abs(y(1)), abs(y(3)))
+    end function is_nearing
+
+    !> Where `side*f` is least in an interval, by the golden section; it stops where this is below
+    !> zero.
+    pure real(dp) function least_magnitude(f, from, to, side) result(best)
+        class(function_type), intent(in) :: f !! the function
+        real(dp), intent(in) :: from          !! lower end
+        real(dp), intent(in) :: to            !! upper end
+        real(dp), intent(in) :: side          !! 1 or -1: sign of the function at the ends
+        real(dp), parameter :: golden = 0.5_dp*(sqrt(5.0_dp) - 1.0_dp)
+        real(dp) :: low, high, inner(2), value(2)
+        integer :: i
+
+        low = from
+        high = to
+        inner = [high - golden*(high - low), low + golden*(high - low)]
+        value = side*[f%at(inner(1)), f%at(inner(2))]
+        do i = 1, narrowings
+            if (any(value < 0.0_dp)) exit
+            if (value(1) <= value(2)) then
+                high = inner(2)
+                inner = [high - golden*(high - low), inner(1)]
+                value = [side*f%at(inner(1)), value(1)]
+            else
+                low = inner(1)
+                inner = [inner(2), low + golden*(high - low)]
+                value = [value(2), side*f%at(inner(2))]
+            end if
+        end do
+        best = inner(minloc(value, dim=1))
+    end function least_magnitude
+
+    !> The zero between two places where the signs differ, to the last bit: chords where they gain
+    !> more than halving does (Illinois rule), else halving.
+    pure real(dp) function zero_between(f, from, to) result(zero)
+        class(function_type), intent(in) :: f !! the function
+        real(dp), intent(in) :: from          !! one end
+        real(dp), intent(in) :: to            !! the other end, the sign is another there
+        real(dp) :: x(2), y(2), next, value
+        integer :: i, moved, before
+
+        x = [from, to]
+        y = [f%at(from), f%at(to)]
+        before = 0
+        do i = 1, halvings
+            next = x(1) - y(1)*((x(2) - x(1))/(y(2) - y(1)))
+            if (mod(i, 3) == 0 .or. .not. is_inside(next)) next = x(1) + 0.5_dp*(x(2) - x(1))
+            if (.not. is_inside(next)) exit
+            value = f%at(next)
+            moved = merge(2, 1, changes(y(1), value))
+            x(moved) = next
+            y(moved) = value
+            if (moved == before) y(3 - moved) = 0.5_dp*y(3 - moved)
+            before = moved
+            if (.not. abs(value) > 0.0_dp) exit
+        end do
+        zero = x(minloc(abs([f%at(x(1)), f%at(x(2))]), dim=1))
+    contains
+        !> True strictly between the ends.
+        pure logical function is_inside(place)
+            real(dp), intent(in) :: place !! any
+            is_inside = place > minval(x) .and. place < maxval(x)
+        end function is_inside
+    end function zero_between
+
+end module geom_zeros
