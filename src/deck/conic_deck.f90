@@ -163,7 +163,8 @@ contains
             call faults%add(new_fault(severity%warning, 0, 0, counted(deck%after_end, 'card')// &
                 ' after the end card not read; X1 of 999.99 or more ends a 1970 deck'))
             call faults%place(before, deck%end_line, '')
-        else if (deck%cards == 0 .and. .not. deck%is_binary) then
+        end if
+        if (deck%cards == 0 .and. .not. deck%is_binary) then
             call faults%add(new_fault(severity%error, 0, 0, 'the deck has no conic card; it needs at'// &
                 ' least one, with X1 in columns 1-8 (see loft help cards)'))
         end if
