@@ -36,18 +36,20 @@ contains
         end if
     end function fixed
 
-    !> A number with one figure before the point and a power of ten, right in its columns.
+    !> A number with one figure before the point and a power of ten of two figures, or of three where
+    !> it needs them, right in its columns.
     pure function scientific(value, width, figures) result(text)
         real(dp), intent(in) :: value   !! a finite number
         integer, intent(in) :: width    !! columns, at least figures + 7
         integer, intent(in) :: figures  !! figures in all
         character(width) :: text
         character(48) :: format, field
+        integer :: power
 
-        write (format, '(a,i0,a,i0,a)') '(es48.', figures - 1, 'e', &
-            merge(3, 2, abs(value) >= 1.0e100_dp .or. abs(value) < 1.0e-99_dp), ')'
-        if (is_zero(value)) write (format, '(a,i0,a)') '(es48.', figures - 1, 'e2)'
+        write (format, '(a,i0,a)') '(es48.', figures - 1, 'e3)'
         write (field, format) merge(0.0_dp, value, is_zero(value))
+        power = index(field, 'E') + 2
+        if (field(power:power) == '0') field(power:) = field(power + 1:)
         text = right(field, width)
     end function scientific
 
@@ -88,7 +90,7 @@ contains
     !> Works the fewest figures in whole numbers, all in one small unit: the decimals between the
     !> two halfway points to the neighbours read as the value, the halfway points themselves where
     !> its last bit is even. The coarsest power of ten with a multiple there gives the fewest
-    !> figures; of its multiples the one nearest to the value is taken.
+    !> figures; of its multiples the one nearest to the value is taken, of two the even one.
     pure subroutine short_figures(value, figures, power)
         real(dp), intent(in) :: value        !! 1e-12 to 1e15
         integer(i64), intent(out) :: figures !! the figures
@@ -114,6 +116,7 @@ contains
             power = power + 1
         end do
         multiple = (middle + step/2)/step
+        if (multiple*step - middle == step/2) multiple = multiple - mod(multiple, 2_i128)
         if (multiple*step < low) multiple = multiple + 1
         if (multiple*step > high) multiple = multiple - 1
         figures = int(multiple, i64)
@@ -159,12 +162,20 @@ contains
         read (field, *) figures
     end subroutine rounded
 
-    !> The double that figures and a power of ten read as.
+    !> The double that figures and a power of ten read as; zero for what is above the largest.
     pure real(dp) function read_back(figures, power) result(value)
-        integer(i64), intent(in) :: figures !! whole number
+        integer(i64), intent(in) :: figures !! positive whole number of at most 17 figures
         integer, intent(in) :: power        !! power of ten
         character(48) :: field
         integer :: status
+        ! The largest double is 17976931348623157 * 10**292.
+        integer(i128), parameter :: largest_figures = 17976931348623157_i128
+        integer, parameter :: their_power = 292
+
+        value = 0.0_dp
+        if (power >= their_power) then
+            if (int(figures, i128)*10_i128**int(power - their_power, i128) > largest_figures) return
+        end if
         write (field, '(i0,a,i0)') figures, 'e', power
         read (field, *, iostat=status) value
         if (status /= 0) value = 0.0_dp
