@@ -39,7 +39,7 @@ contains
         character(*), intent(in) :: deck        !! name of the deck
         type(output_type), intent(inout) :: out !! where it goes
         character(:), allocatable :: place
-        integer :: first, last
+        integer :: last
 
         place = deck
         if (fault%line > 0) place = place//':'//to_text(fault%line)
@@ -47,10 +47,9 @@ contains
         call out%line(place//': '//grade(fault%severity)//': '//fault%message)
         if (fault%card == '') return
         call out%line(margin//shown(fault%card))
-        if (fault%first == 0) return
-        first = min(fault%first, shown_columns)
-        last = min(max(fault%last, first), shown_columns)
-        call out%line(margin//row_of(' ', first - 1)//row_of('^', last - first + 1))
+        if (fault%first == 0 .or. fault%first > shown_columns) return
+        last = min(fault%last, shown_columns)
+        call out%line(margin//row_of(' ', fault%first - 1)//row_of('^', last - fault%first + 1))
     end subroutine print_fault
 
     !> The word for a severity.
