@@ -80,7 +80,9 @@ contains
         end do
         if (allocated(error)) return
         if (options%wants_help) then
-            options%operand = [argument_type(options%command)]
+            deallocate (options%operand)
+            allocate (options%operand(1))
+            options%operand(1)%text = options%command
             options%command = 'help'
         end if
         call check_options(options, error)
