@@ -3,8 +3,8 @@
 !> A result is written beside its final name and renamed when complete, so that a reader never sees
 !> half of it and a failed run leaves the old one. Devices, FIFOs and links are written through.
 module app_files
-    use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_int, c_int64_t, c_intptr_t, c_ptr, &
-        c_size_t
+    use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_int, c_int64_t, c_intptr_t, &
+        c_null_ptr, c_ptr, c_size_t
     use app_signals, only: guard_file, release_file
     use base_error, only: cause, error_type, fail
     use base_output, only: output_type
@@ -23,7 +23,7 @@ module app_files
     !> A deck open for reading.
     type :: deck_file_type
         private
-        type(c_ptr) :: stream
+        type(c_ptr) :: stream = c_null_ptr
         logical :: is_standard = .false.
     contains
         procedure :: open => open_deck
@@ -66,11 +66,12 @@ contains
         end if
     end subroutine open_deck
 
-    !> Closes a deck that was opened.
+    !> Closes a deck, if it is open. Standard input stays as it is.
     subroutine close_deck(file)
         class(deck_file_type), intent(inout) :: file !! the file
         integer(c_int) :: ignored
-        if (.not. file%is_standard) ignored = c_fclose(file%stream)
+        if (c_associated(file%stream)) ignored = c_fclose(file%stream)
+        file%stream = c_null_ptr
     end subroutine close_deck
 
     !> Begins a result; without a name, or as `-`, it goes to standard output.
