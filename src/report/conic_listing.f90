@@ -14,7 +14,7 @@ module report_conic_listing
     use base_exact, only: is_zero
     use base_kinds, only: dp
     use base_output, only: output_type
-    use base_text, only: right, row_of, to_text, upper
+    use base_text, only: characters, first_bytes, right, row_of, to_text, upper
     use body_card_facts, only: card_facts_type
     use body_card_tables, only: card_table_type
     use deck_conic_card, only: conic_card_type
@@ -105,8 +105,9 @@ contains
             names(first:last) = name
         end do
         head = 'CARD '//to_text(card%count)//'   '//card%label
-        place = 'LINE '//to_text(card%line)
-        call page%line(out, head//row_of(' ', page_columns - len(head) - len(place))//place)
+        place = '  LINE '//to_text(card%line)
+        head = head(:first_bytes(head, page_columns - len(place)))
+        call page%line(out, head//row_of(' ', page_columns - characters(head) - len(place))//place)
         call page%line(out, names)
         call page%line(out, card%image(:last_read_column))
         call page%blank(out)
