@@ -33,6 +33,7 @@ module report_page
     contains
         procedure :: set_heading
         procedure :: set_size
+        procedure :: width
         procedure :: line
         procedure :: paragraph
         procedure :: blank
@@ -63,6 +64,12 @@ contains
         page%columns = columns
         page%lines = lines
     end subroutine set_size
+
+    !> Columns of a page.
+    pure integer function width(page)
+        class(page_type), intent(in) :: page !! the listing
+        width = page%columns
+    end function width
 
     !> Prints a line, on a new page where this one is full.
     subroutine line(page, out, text)
@@ -144,9 +151,9 @@ contains
         call out%line(page%spread_out(page%title, '', mark))
         call out%line(page%spread_out(page%deck, page%units, 'LOFT '//version))
         call out%line('')
-        page%used = 3
+        page%used = 3 + page%heads
         do i = 1, page%heads
-            call page%line(out, page%head(i))
+            call out%line(trim(page%head(i)))
         end do
     end subroutine turn
 

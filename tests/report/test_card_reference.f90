@@ -1,0 +1,36 @@
+!> The card reference against the card table of SAE 700202.
+program test_card_reference
+    use base_output, only: output_type
+    use report_card_reference, only: print_card_reference
+    use support_tap, only: tap_type
+    implicit none (type, external)
+
+    type(tap_type) :: tap
+    type(output_type) :: out
+    character(:), allocatable :: text
+    character(*), parameter :: feed = new_line('a')
+    character(21), parameter :: rows(11) = [character(21) :: &
+        '  1-8  X1     F8.3 ', ' 9-16  Y1     F8.3 ', '17-24  S1     F8.5 ', '25-32  X2     F8.3 ', &
+        '33-40  Y2     F8.3 ', '41-48  X3     F8.3 ', '49-56  Y3     F8.3 ', '57-64  S3     F8.5 ', &
+        '65-70  XI     F6.3 ', '71-76  YI     F6.3 ', '77-78  ITYP   I2   ']
+    integer :: i, next
+
+    call print_card_reference(out)
+    text = out%text()
+    do i = 1, size(rows)
+        call tap%ok(index(text, '  '//trim(rows(i))//' ') > 0, 'the field'//rows(i)(6:12)//' has its columns and format')
+    end do
+    call tap%ok(index(text, 'Columns 79-80 are free') > 0, 'the sequence number is mentioned')
+    call tap%ok(index(text, feed//'TITLE') > 0 .and. index(text, '9-80  TEXT   A72') > 0, 'TITLE is there')
+    call tap%ok(index(text, feed//'UNITS') > 0 .and. index(text, '9-16  UNIT   A8') > 0, 'UNITS is there')
+    call tap%ok(index(text, ' '//feed) == 0, 'no line ends with blanks')
+    i = 1
+    do
+        next = index(text(i:), feed)
+        if (next == 0) exit
+        if (next > 133) exit
+        i = i + next
+    end do
+    call tap%ok(next == 0, 'no line is wider than a printer''s')
+    call tap%finish()
+end program test_card_reference
