@@ -8,8 +8,8 @@ module app_files
     use app_signals, only: guard_file, release_file
     use base_error, only: cause, error_type, fail
     use base_output, only: output_type
-    use base_posix, only: c_close, c_creat, c_fclose, c_fileno, c_fopen, c_getpid, c_mkdir, c_readlink, &
-        c_rename, c_text, c_truncate, c_unlink, last_error, standard_input, standard_output
+    use base_posix, only: c_close, c_creat, c_fclose, c_fileno, c_fopen, c_getpid, c_mkdir, &
+        c_readlink, c_rename, c_text, c_truncate, c_unlink, last_error, standard_input, standard_output
     use base_text, only: to_text
     use deck_source, only: source_type
     implicit none (type, external)

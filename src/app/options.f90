@@ -31,7 +31,7 @@ module app_options
         character(12) :: name      !! as typed
         character(8) :: kind       !! `flag`, `words`, `number`, `path`
         character(24) :: words     !! what it may be, where its kind is `words`
-        character(16) :: commands  !! the commands that take it
+        character(20) :: commands  !! the commands that take it
     end type option_layout_type
 
     !> Every option of LOFT.
@@ -42,7 +42,7 @@ module app_options
         option_layout_type('--format', 'words', 'listing csv', 'run'), &
         option_layout_type('--format', 'words', 'svg pdf png txt', 'plot'), &
         option_layout_type('-o', 'path', '', 'run plot'), &
-        option_layout_type('--help', 'flag', '', 'run check plot')]
+        option_layout_type('--help', 'flag', '', 'run check plot help')]
 
     !> The commands.
     character(*), parameter :: commands = 'run check plot help'
@@ -53,7 +53,7 @@ contains
     !>
     !> Fails with `cause%usage` where a word of it is not understood.
     pure subroutine read_options(argument, options, error)
-        type(argument_type), intent(in) :: argument(:)      !! its words, the program's name left out
+        type(argument_type), intent(in) :: argument(:)      !! its words, without the program's
         type(options_type), intent(out) :: options          !! what it asks for
         type(error_type), allocatable, intent(out) :: error !! see above
         integer :: i
@@ -186,7 +186,8 @@ contains
         select case (options%command)
         case ('run', 'plot')
             if (size(options%operand) > 1) call fail(error, cause%usage, &
-                'loft '//options%command//' takes one deck; '''//options%operand(2)%text//''' is too much')
+                'loft '//options%command//' takes one deck; '''// &
+                options%operand(2)%text//''' is too much')
         case ('help')
             if (size(options%operand) > 1) call fail(error, cause%usage, &
                 'loft help takes one topic; '''//options%operand(2)%text//''' is too much')
@@ -203,7 +204,7 @@ contains
                 'program printed pages only')
         else if (options%asa .and. options%arithmetic /= 's360') then
             call fail(error, cause%usage, '--asa goes with --arithmetic s360')
-        else if (size(options%operand) == 1 .and. options%output /= '' .and. options%output /= '-') then
+        else if (size(options%operand) == 1 .and. all(options%output /= ['', '-'])) then
             if (options%operand(1)%text == options%output) call fail(error, cause%usage, &
                 '-o '//options%output//' would replace the deck')
         end if

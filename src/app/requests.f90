@@ -1,5 +1,5 @@
-!> From the cut cards of a job to the cuts asked of a body: where deck and cut layers meet. A stepped
-!> STATION card asks for one cut a station.
+!> From the cut cards of a job to the cuts asked of a body: where deck and cut layers meet. A
+!> stepped STATION card asks for one cut a station.
 module app_requests
     use base_constants, only: largest_table
     use base_decimal, only: decimal_type, grid_type, new_grid, to_real

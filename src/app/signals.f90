@@ -4,8 +4,8 @@
 !> A signal handler is told nothing but a number, so the name of the unfinished file has to stand
 !> where the handler finds it: the one module variable of LOFT.
 module app_signals
-    use, intrinsic :: iso_c_binding, only: c_char, c_funloc, c_funptr, c_int, c_intptr_t, c_null_char, &
-        c_null_funptr
+    use, intrinsic :: iso_c_binding, only: c_char, c_funloc, c_funptr, c_int, c_intptr_t, &
+        c_null_char, c_null_funptr
     use base_posix, only: c_raise, c_signal, c_text, c_unlink
     implicit none (type, external)
     private
@@ -39,7 +39,9 @@ contains
         end do
         do i = 1, size(caught)
             before = c_signal(caught(i), c_funloc(stop_by_signal))
-            if (transfer(before, 0_c_intptr_t) == ignored_signal) before = c_signal(caught(i), before)
+            if (transfer(before, 0_c_intptr_t) == ignored_signal) then
+                before = c_signal(caught(i), before)
+            end if
         end do
     end subroutine guard_file
 

@@ -31,8 +31,8 @@ contains
         has_arc = .not. allocated(error)
         if (has_arc) then
             if (turns_past_180(arc)) call add_fault(severity%warning, conic%x2, conic%y2, &
-                'the arc turns by more than 180 degrees: the shoulder point and the intersection '// &
-                'of the end tangents are on different sides of the chord', faults)
+                'the arc turns by more than 180 degrees: the shoulder point and the '// &
+                'intersection of the end tangents are on different sides of the chord', faults)
         else
             call blame_fields(error, faults)
         end if

@@ -6,8 +6,8 @@
 !>     SECTION LOWER
 !>         20.000      0.000    -20.999    0.000000       16.123    -4.982
 !>
-!> An oblique cut is given in its true shape too: u and v in its own plane, whose origin and axes are
-!> stated.
+!> An oblique cut is given in its true shape too: u and v in its own plane, whose origin and axes
+!> are stated.
 module report_cut_listing
     use base_exact, only: is_zero
     use base_kinds, only: dp
@@ -149,7 +149,8 @@ contains
         type(output_type), intent(inout) :: out     !! where they go
         integer :: i
         do i = 1, size(notes)
-            call page%paragraph(out, merge('ERROR: ', 'NOTE:  ', notes(i)%is_error)//notes(i)%message)
+            call page%paragraph(out, merge('ERROR: ', 'NOTE:  ', notes(i)%is_error)// &
+                notes(i)%message)
         end do
     end subroutine print_notes
 

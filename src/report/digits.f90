@@ -36,7 +36,7 @@ contains
         end if
     end function fixed
 
-    !> A number with one figure before the point and a power of ten of two figures, or of three where
+    !> A number with one figure before the point and a power of ten of two figures, or three where
     !> it needs them, right in its columns.
     pure function scientific(value, width, figures) result(text)
         real(dp), intent(in) :: value   !! a finite number

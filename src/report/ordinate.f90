@@ -1,5 +1,5 @@
-!> Ordinates of a body listing in the unit the deck asks for: decimal inches, millimetres or feet, or
-!> feet, inches and eighths as lofts write them.
+!> Ordinates of a body listing in the unit the deck asks for: decimal inches, millimetres or feet,
+!> or feet, inches and eighths as lofts write them.
 !>
 !>     1-07-4    1 ft 7 4/8 in        1-07-4+   a sixteenth more        -0-03-0   below zero
 module report_ordinate

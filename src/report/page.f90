@@ -157,8 +157,8 @@ contains
         end do
     end subroutine turn
 
-    !> Three texts on one line of a page: left, middle, right. The left text is cut where there is no
-    !> room for it. Its characters are counted, not its bytes, since a title may be in UTF-8.
+    !> Three texts on one line of a page: left, middle, right. The left text is cut where there is
+    !> no room for it. Its characters are counted, not its bytes, since a title may be in UTF-8.
     pure function spread_out(page, left, middle, right) result(text)
         class(page_type), intent(in) :: page !! the listing
         character(*), intent(in) :: left   !! begins the line
@@ -171,7 +171,9 @@ contains
         if (middle /= '') room = room - len(middle) - 2
         text = left
         if (characters(text) > room) text = text(:first_bytes(text, room - len(cut)))//cut
-        if (middle /= '') text = text//row_of(' ', max(2, page%columns/2 - characters(text)))//middle
+        if (middle /= '') then
+            text = text//row_of(' ', max(2, page%columns/2 - characters(text)))//middle
+        end if
         text = text//row_of(' ', page%columns - characters(text) - len(right))//right
     end function spread_out
 
