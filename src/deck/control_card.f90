@@ -11,7 +11,7 @@ module deck_control_card
     implicit none (type, external)
     private
 
-    public :: heading_type, begins_with_word, card_word, read_heading_card
+    public :: heading_type, begins_with_word, card_word, control_bytes, read_heading_card
 
     !> What the cards before the first other card say.
     type :: heading_type
@@ -49,20 +49,39 @@ contains
         type(line_type), intent(in) :: line             !! a line that begins with TITLE or UNITS
         type(heading_type), intent(inout) :: heading    !! what it says is put here
         type(fault_list_type), intent(inout) :: faults  !! what is wrong with it is added
+        type(line_type) :: card
         integer :: before, bad
 
         before = faults%count
+        card = by_columns(line)
         bad = scan(line%text, control_bytes())
         if (bad > 0) then
             call faults%add(new_fault(severity%error, bad, bad, &
                 'a tab or control byte on a card; put blanks in its place'))
+            card%text = line%text
         else if (card_word(line) == 'TITLE') then
-            call read_title(line, heading, faults)
+            call read_title(card, heading, faults)
         else
-            call read_units(line, heading, faults)
+            call read_units(card, heading, faults)
         end if
-        call faults%place(before, line%number, line%text)
+        call faults%place(before, line%number, card%text)
     end subroutine read_heading_card
+
+    !> A heading card with a comma right behind its word is free-field: the same card by columns.
+    !> (Other commas belong to the text of a title.)
+    pure type(line_type) function by_columns(line) result(card)
+        type(line_type), intent(in) :: line !! a line that begins with TITLE or UNITS
+        character(8) :: word
+        integer :: comma
+
+        card = line
+        comma = index(line%text, ',')
+        if (comma == 0) return
+        if (upper(adjustl(columns(line%text, 1, comma - 1))) /= card_word(line)) return
+        word = card_word(line)
+        card%text = word//trim(adjustl(line%text(comma + 1:)))
+        card%filled = len(card%text)
+    end function by_columns
 
     !> Reads a TITLE card; a second one changes nothing. A column of it is a character, which in
     !> UTF-8 may be several bytes.

@@ -40,10 +40,12 @@ module deck_source
         integer(i64) :: lines = 0
         logical :: at_end = .false.
         character(:), allocatable :: trouble
+        type(line_type), allocatable :: waiting(:)
     contains
         procedure :: attach
         procedure :: from_text
         procedure :: next_line
+        procedure :: put_back
     end type source_type
 
 contains
@@ -76,6 +78,11 @@ contains
 
         line%text = ''
         found = .false.
+        if (allocated(source%waiting)) then
+            call take_waiting(source%waiting, line)
+            found = .true.
+            return
+        end if
         do
             if (source%next > source%filled) call refill(source)
             if (source%at_end) exit
@@ -92,6 +99,37 @@ contains
         line%number = source%lines
         call strip(line)
     end subroutine next_line
+
+    !> Puts a line back: it is the next to be read again. Of several the last comes first.
+    subroutine put_back(source, line)
+        class(source_type), intent(inout) :: source !! the source
+        type(line_type), intent(in) :: line         !! a line read from it
+        type(line_type), allocatable :: waiting(:)
+        integer :: count
+
+        count = 0
+        if (allocated(source%waiting)) count = size(source%waiting)
+        allocate (waiting(count + 1))
+        if (count > 0) waiting(:count) = source%waiting
+        waiting(count + 1) = line
+        call move_alloc(waiting, source%waiting)
+    end subroutine put_back
+
+    !> Takes the line that was put back last.
+    subroutine take_waiting(waiting, line)
+        type(line_type), allocatable, intent(inout) :: waiting(:)   !! the lines; none left: not allocated
+        type(line_type), intent(inout) :: line                      !! the line
+        type(line_type), allocatable :: others(:)
+        integer :: count
+
+        count = size(waiting)
+        line = waiting(count)
+        if (count > 1) then
+            allocate (others(count - 1))
+            others = waiting(:count - 1)
+        end if
+        call move_alloc(others, waiting)
+    end subroutine take_waiting
 
     !> Asks the system for more bytes.
     subroutine refill(source)

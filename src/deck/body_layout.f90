@@ -1,0 +1,127 @@
+!> The cards of a body deck, as data: which words begin a card, what stands in its fields. Reading,
+!> carets under a fault and the printed card reference all come from here, from `deck_body_fields`
+!> and from the tables of fields it gathers.
+module deck_body_layout
+    implicit none (type, external)
+    private
+
+    public :: body_field_type, body_layout_type, option_type
+
+    !> How a field is read.
+    type, public :: form_list
+        character :: number = 'F'   !! a decimal number
+        character :: whole = 'I'    !! a whole number
+        character :: name = 'A'     !! a name: a letter, then letters, figures and - _ . /
+        character :: word = 'W'     !! one of some words
+        character :: either = 'E'   !! a decimal number or a name
+    end type form_list
+    type(form_list), parameter, public :: form = form_list()
+
+    !> When a field must be filled.
+    type, public :: need_list
+        character :: always = 'A'       !! it must be filled
+        character :: unmatched = 'U'    !! it must be filled unless the card says MATCH
+        character :: optional = 'O'     !! it may be blank
+        character :: repeated = 'R'     !! as are all fields behind it; one must be filled
+    end type need_list
+    type(need_list), parameter, public :: need = need_list()
+
+    !> A field of a card.
+    type :: body_field_type
+        integer :: card             !! one of `body_card%...`
+        integer :: field            !! which field of the card, from 1
+        character(6) :: name        !! as the card reference and the faults call it
+        character :: form           !! one of `form%...`
+        character :: need           !! one of `need%...`
+        character(9) :: unit        !! deck units, a slope, degrees, or none
+        character(64) :: meaning    !! one line for the card reference
+        character(40) :: words = '' !! `form%word`: the words it may hold
+    end type body_field_type
+
+    !> A card: its word, the word in its second field where that tells it from its likes, the option
+    !> words that may stand behind its last field, and what it is for.
+    type :: body_layout_type
+        character(8) :: word = ''       !! in field 1; nothing: the conic card, numbers from field 1 on
+        character(8) :: second = ''     !! in field 2, or nothing
+        character(40) :: options = ''   !! words that may follow the last field, in any order
+        character(96) :: meaning = ''   !! what the card is for
+    end type body_layout_type
+
+    !> A word that may stand behind the last field of a data card.
+    type :: option_type
+        character(8) :: word        !! the option
+        character(80) :: meaning    !! what it says
+    end type option_type
+
+    !> The options of data cards.
+    type(option_type), parameter, public :: option_words(6) = [ &
+        option_type('DXDY', 'every end slope of the card is dx/dy; a vertical one is 0.'), &
+        option_type('DXDY1', 'the slope at the first point is dx/dy'), &
+        option_type('DXDY3', 'the slope at the last point is dx/dy'), &
+        option_type('LAST', 'the slope is that at the last point'), &
+        option_type('KNUCKLE', 'a slope break at the joint before this card is intended'), &
+        option_type('MATCH', 'the joint before this card has equal curvature; LOFT finds the shoulder or rho')]
+
+    !> The cards by name: `body_layout(body_card%section)`.
+    type, public :: body_card_list
+        integer :: output = 1, digits = 2, page = 3, symmetry = 4, close = 5, toler = 6
+        integer :: body = 7, nose = 8, line = 9
+        integer :: conic = 10, rho = 11, tangent = 12, tangent_rho = 13, four_points = 14
+        integer :: five_points = 15, straight = 16, circle = 17, radius = 18
+        integer :: section = 19
+        integer :: points = 20, limit = 21, flange = 22, skin = 23
+        integer :: station = 24, stations = 25, buttock = 26, waterline = 27, oblique = 28, plane = 29
+        integer :: check_point = 30, check_sphere = 31, check_box = 32, end = 33
+    end type body_card_list
+
+    !> Which card is which.
+    type(body_card_list), parameter, public :: body_card = body_card_list()
+
+    !> The options of the cards that have a slope at both ends, at one, and at none.
+    character(*), parameter :: two_slopes = 'DXDY DXDY1 DXDY3 KNUCKLE MATCH', &
+        one_slope = 'LAST DXDY KNUCKLE', no_slope = 'KNUCKLE'
+
+    !> The cards of a body deck besides TITLE and UNITS.
+    type(body_layout_type), parameter, public :: body_layout(33) = [ &
+        body_layout_type('OUTPUT', '', '', 'unit of the listing; CSV and files keep the unit of the deck'), &
+        body_layout_type('DIGITS', '', '', 'decimals of the ordinates in the listing'), &
+        body_layout_type('PAGE', '', '', 'size of a page of the listing'), &
+        body_layout_type('SYMMETRY', '', '', 'whether the body is symmetric about BL 0'), &
+        body_layout_type('CLOSE', '', '', 'sections that reach BL 0 at both ends are closed along it'), &
+        body_layout_type('TOLER', '', '', 'largest gap at a joint of a line or between sections'), &
+        body_layout_type('BODY', '', '', 'begins another body; what follows belongs to it'), &
+        body_layout_type('NOSE', '', '', 'rounds the point nose of the body'), &
+        body_layout_type('LINE', '', '', &
+        'a view of a control line; its data cards follow, end to end, unless field 4 is filled'), &
+        body_layout_type('', '', two_slopes, &
+        'data card: end points, end slopes, shoulder point, as in 1970; it has no word'), &
+        body_layout_type('RHO', '', two_slopes, 'data card: end points, end slopes, rho'), &
+        body_layout_type('TANGENT', '', 'KNUCKLE MATCH', &
+        'data card: end points, intersection of the end tangents, shoulder point'), &
+        body_layout_type('TANRHO', '', 'KNUCKLE MATCH', &
+        'data card: end points, intersection of the end tangents, rho'), &
+        body_layout_type('FOURPT', '', one_slope, 'data card: four points and one end slope'), &
+        body_layout_type('FIVEPT', '', no_slope, 'data card: five points'), &
+        body_layout_type('STRAIGHT', '', no_slope, 'data card: a straight line'), &
+        body_layout_type('CIRCLE', '', no_slope, 'data card: the circular arc through three points'), &
+        body_layout_type('RADIUS', '', no_slope, &
+        'data card: the circular arc of at most 180 degrees between two points'), &
+        body_layout_type('SECTION', '', '', 'a conic of the cross-section at every station of its lines'), &
+        body_layout_type('POINTS', '', '', &
+        'how the points are spread on the cuts that follow and give no step themselves'), &
+        body_layout_type('LIMIT', '', '', 'limits the cuts that follow'), &
+        body_layout_type('FLANGE', '', '', 'side of the flange on the frames that follow'), &
+        body_layout_type('SKIN', '', '', 'thickness of skin for the cuts and checks that follow'), &
+        body_layout_type('STATION', '', '', 'cuts at stations: one, or a range with its step'), &
+        body_layout_type('STATION', 'LIST', '', 'cuts at the stations of a list'), &
+        body_layout_type('BUTTOCK', '', '', 'a cut at a butt line'), &
+        body_layout_type('WATERLN', '', '', 'a cut at a waterline'), &
+        body_layout_type('OBLIQUE', '', '', &
+        'a cut by the plane across the body through two (STA, WL) points, which also limit it'), &
+        body_layout_type('PLANE', '', '', 'a cut by any plane'), &
+        body_layout_type('CHECK', 'POINT', '', 'a point that must keep clear of the inside of the skin'), &
+        body_layout_type('CHECK', 'SPHERE', '', 'a sphere that must keep clear of it'), &
+        body_layout_type('CHECK', 'BOX', '', 'a box along the axes that must keep clear of it'), &
+        body_layout_type('END', '', '', 'ends the deck; without it the deck ends with the file')]
+
+end module deck_body_layout

@@ -1,0 +1,54 @@
+!> Fields of the cards of a body deck that say what the body is: settings, lines and their data
+!> cards, sections.
+module deck_body_line_fields
+    use deck_body_layout, only: body_field_type, card => body_card, form, need
+    implicit none (type, external)
+    private
+
+    !> Cards that hold for the whole deck or body.
+    type(body_field_type), parameter, public :: setting_fields(8) = [ &
+        body_field_type(card%output, 2, 'UNIT', form%word, need%always, 'none', &
+        'FIE: feet-inches-eighths; without the card the unit of the deck', 'INCHES MM FEET FIE'), &
+        body_field_type(card%digits, 2, 'N', form%whole, need%always, 'none', &
+        'decimals, 0 to 9; without the card 3'), &
+        body_field_type(card%page, 2, 'COLS', form%whole, need%always, 'none', &
+        'columns of a page, 80 or 132; without the card 80'), &
+        body_field_type(card%page, 3, 'LINES', form%whole, need%always, 'none', &
+        'lines of a page, 20 to 999; without the card 60'), &
+        body_field_type(card%symmetry, 2, 'ANSWER', form%word, need%always, 'none', &
+        'without the card YES', 'YES NO'), &
+        body_field_type(card%toler, 2, 'T', form%number, need%always, 'deck unit', &
+        'not negative; without the card .001 inches, .025 mm, .0001 feet'), &
+        body_field_type(card%body, 2, 'NAME', form%name, need%always, 'none', &
+        'name of the body'), &
+        body_field_type(card%nose, 2, 'R', form%number, need%always, 'deck unit', &
+        'radius of the nose, above zero')]
+
+    !> LINE and SECTION.
+    type(body_field_type), parameter, public :: line_fields(12) = [ &
+        body_field_type(card%line, 2, 'NAME', form%name, need%always, 'none', &
+        'name of the line'), &
+        body_field_type(card%line, 3, 'VIEW', form%word, need%always, 'none', &
+        'WL over STA, BL over STA, or degrees over STA', 'SIDE PLAN ANGLE'), &
+        body_field_type(card%line, 4, 'FROM', form%either, need%optional, 'none', &
+        'line to take the view over, or a constant: no data cards follow'), &
+        body_field_type(card%section, 2, 'NAME', form%name, need%always, 'none', &
+        'name of the section'), &
+        body_field_type(card%section, 3, 'LINE1', form%name, need%always, 'none', &
+        'line where the conic starts'), &
+        body_field_type(card%section, 4, 'SHLDR', form%name, need%always, 'none', &
+        'line of its shoulder points'), &
+        body_field_type(card%section, 5, 'LINE3', form%name, need%always, 'none', &
+        'line where the conic ends'), &
+        body_field_type(card%section, 6, 'S1', form%either, need%always, 'dWL/dBL', &
+        'end slope at LINE1, 999.999 if vertical; or an ANGLE line'), &
+        body_field_type(card%section, 7, 'S3', form%either, need%always, 'dWL/dBL', &
+        'end slope at LINE3, 999.999 if vertical; or an ANGLE line'), &
+        body_field_type(card%section, 8, 'FROM', form%number, need%optional, 'deck unit', &
+        'first station it is limited to'), &
+        body_field_type(card%section, 9, 'TO', form%number, need%optional, 'deck unit', &
+        'last station it is limited to'), &
+        body_field_type(card%section, 10, 'SIDE', form%word, need%optional, 'none', &
+        'with SYMMETRY NO: PORT mirrors it, BOTH does both', 'STBD PORT BOTH')]
+
+end module deck_body_line_fields

@@ -1,0 +1,165 @@
+!> LINE and its data cards.
+module deck_job_line
+    use base_decimal, only: to_real
+    use base_exact, only: is_zero
+    use base_fault, only: fault_list_type
+    use base_kinds, only: dp
+    use deck_body_card, only: blame, card_type, field_text, warn
+    use deck_body_check, only: has_option
+    use deck_body_fields, only: fields_of
+    use deck_body_layout, only: body_card, body_field_type
+    use deck_body_value, only: decimal_in, is_filled, looks_like_number
+    use deck_job, only: control_line_type, origin, piece, piece_type, view, view_type
+    use deck_job_list, only: append
+    use deck_job_state, only: find_line, open_line_type, state_type, text_of
+    implicit none (type, external)
+    private
+
+    public :: take_line, refuse_line, take_piece, close_line, is_data_card
+
+contains
+
+    !> True for the cards that stand under a LINE.
+    elemental logical function is_data_card(kind)
+        integer, intent(in) :: kind !! one of `body_card%...`
+        is_data_card = kind >= body_card%conic .and. kind <= body_card%radius
+    end function is_data_card
+
+    !> Takes a LINE card and opens its view for data cards.
+    pure subroutine take_line(state, card, faults)
+        type(state_type), intent(inout) :: state        !! the job so far
+        type(card_type), intent(in) :: card             !! a card whose fields are sound
+        type(fault_list_type), intent(inout) :: faults  !! what is wrong is added
+        type(control_line_type) :: fresh
+        type(view_type) :: given
+        integer :: line, which
+
+        given%card = card
+        given%is_sound = .true.
+        given%origin = origin%pieces
+        if (looks_like_number(field_text(card, 4))) then
+            given%origin = origin%constant
+            given%constant = decimal_in(card, 4)
+        else if (is_filled(card, 4)) then
+            given%origin = origin%line
+        end if
+        line = find_line(state, field_text(card, 2))
+        if (line == 0) then
+            fresh%name = text_of(field_text(card, 2))
+            call append(state%body%line, state%lines, fresh)
+            line = state%lines
+        end if
+        which = view_named(field_text(card, 3))
+        associate (target_view => state%body%line(line)%view(which))
+            if (target_view%origin /= origin%none) then
+                call blame(card, 2, field_text(card, 2)//' has its '//field_text(card, 3)// &
+                    ' already; all data cards of a view follow one LINE card', faults)
+                call refuse_line(state)
+                return
+            end if
+            target_view = given
+        end associate
+        state%open = open_line_type(is_open=.true., line=line, view=which)
+    end subroutine take_line
+
+    !> After a LINE card in error its data cards are looked at, but not kept.
+    pure subroutine refuse_line(state)
+        type(state_type), intent(inout) :: state !! the job so far
+        state%open = open_line_type(is_open=.true.)
+    end subroutine refuse_line
+
+    !> The view of a name.
+    pure integer function view_named(name)
+        character(*), intent(in) :: name !! SIDE, PLAN or ANGLE
+        view_named = view%side
+        if (name == 'PLAN') view_named = view%plan
+        if (name == 'ANGLE') view_named = view%angle
+    end function view_named
+
+    !> Takes a data card. One in error makes its line unsound.
+    pure subroutine take_piece(state, card, kind, faults)
+        type(state_type), intent(inout) :: state        !! the job so far
+        type(card_type), intent(in) :: card             !! the card
+        integer, intent(in) :: kind                     !! a data card
+        type(fault_list_type), intent(inout) :: faults  !! what is wrong with its fields is in it
+        type(piece_type) :: item
+
+        if (state%open%line > 0) then
+            associate (given => state%body%line(state%open%line)%view(state%open%view))
+                if (given%origin /= origin%pieces) call blame(card, 1, &
+                    'a data card under a LINE that is taken from field 4 of its card', faults)
+            end associate
+        end if
+        item = piece_of(card, kind)
+        call check_piece(item, state%open%pieces == 0, faults)
+        call append(state%open%piece, state%open%pieces, item)
+    end subroutine take_piece
+
+    !> The piece on a card.
+    pure type(piece_type) function piece_of(card, kind) result(item)
+        type(card_type), intent(in) :: card !! a card whose fields are sound
+        integer, intent(in) :: kind         !! a data card
+        type(body_field_type), allocatable :: field(:)
+        integer :: i
+
+        allocate (field, source=fields_of(kind))
+        item%kind = kind - body_card%conic + piece%conic
+        item%card = card
+        item%first_field = field(1)%field
+        allocate (item%value(size(field)))
+        do i = 1, size(field)
+            item%value(i) = decimal_in(card, field(i)%field)
+        end do
+        item%is_slope_last = has_option(card, kind, 'LAST')
+        item%is_knuckle = has_option(card, kind, 'KNUCKLE')
+        item%is_match = has_option(card, kind, 'MATCH')
+        item%is_inverse = has_option(card, kind, 'DXDY') .or. &
+            [has_option(card, kind, 'DXDY1'), has_option(card, kind, 'DXDY3')]
+    end function piece_of
+
+    !> Looks at a piece as a whole.
+    pure subroutine check_piece(item, is_first, faults)
+        type(piece_type), intent(in) :: item            !! the piece
+        logical, intent(in) :: is_first                 !! no piece is before it
+        type(fault_list_type), intent(inout) :: faults  !! what is wrong is added
+        integer :: last
+        real(dp) :: number
+
+        last = item%first_field + size(item%value)
+        if (item%is_match .and. item%is_knuckle) call blame(item%card, last, &
+            'KNUCKLE and MATCH exclude each other', faults)
+        if (item%is_match .and. is_first) call blame(item%card, last, &
+            'MATCH on the first card of a line; there is no neighbour before it', faults)
+        if (item%is_knuckle .and. is_first) call warn(item%card, last, &
+            'KNUCKLE on the first card of a line says nothing: there is no joint before it', faults)
+        number = to_real(item%value(size(item%value)))
+        if (item%kind == piece%rho .or. item%kind == piece%tangent_rho) then
+            if (.not. item%is_match .and. (number <= 0.0_dp .or. number >= 1.0_dp)) call blame(item%card, &
+                last - 1, 'rho is above 0 and below 1; below .5 an ellipse, .5 a parabola', faults)
+        else if (item%kind == piece%radius .and. is_zero(number)) then
+            call blame(item%card, last - 1, 'the radius is zero', faults)
+        end if
+    end subroutine check_piece
+
+    !> Closes the open line: its pieces are given to its view.
+    pure subroutine close_line(state, faults)
+        type(state_type), intent(inout) :: state        !! the job so far
+        type(fault_list_type), intent(inout) :: faults  !! what is wrong is added
+        type(open_line_type) :: none
+
+        if (state%open%line > 0) then
+            associate (given => state%body%line(state%open%line)%view(state%open%view), open => state%open)
+                if (given%origin == origin%pieces .and. open%pieces == 0 .and. open%is_sound) then
+                    call blame(given%card, 2, 'a LINE without data; its conics follow on data cards, or'// &
+                        ' field 4 names another line or a constant', faults)
+                    open%is_sound = .false.
+                end if
+                given%is_sound = given%is_sound .and. open%is_sound
+                allocate (given%piece(open%pieces))
+                if (open%pieces > 0) given%piece = open%piece(:open%pieces)
+            end associate
+        end if
+        state%open = none
+    end subroutine close_line
+
+end module deck_job_line

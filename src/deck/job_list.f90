@@ -1,0 +1,122 @@
+!> Lists of a job that grow while its deck is read: twice as long whenever they are full, cut to
+!> their length in the end.
+module deck_job_list
+    use deck_job, only: body_type, check_type, control_line_type, cut_type, piece_type, section_type
+    implicit none (type, external)
+    private
+
+    public :: append
+
+    !> Room of a list that begins.
+    integer, parameter :: first_room = 8
+
+    !> Puts an item at the end of a list that holds `count` of them.
+    interface append
+        module procedure append_body, append_line, append_piece, append_section, append_cut, append_check
+    end interface append
+
+contains
+
+    !> Adds a body.
+    pure subroutine append_body(list, count, item)
+        type(body_type), allocatable, intent(inout) :: list(:) !! the list
+        integer, intent(inout) :: count !! items in it
+        type(body_type), intent(in) :: item !! what to add
+        type(body_type), allocatable :: grown(:)
+
+        if (.not. allocated(list)) allocate (list(first_room))
+        if (count == size(list)) then
+            allocate (grown(2*count))
+            grown(:count) = list
+            call move_alloc(grown, list)
+        end if
+        count = count + 1
+        list(count) = item
+    end subroutine append_body
+
+    !> Adds a control line.
+    pure subroutine append_line(list, count, item)
+        type(control_line_type), allocatable, intent(inout) :: list(:) !! the list
+        integer, intent(inout) :: count !! items in it
+        type(control_line_type), intent(in) :: item !! what to add
+        type(control_line_type), allocatable :: grown(:)
+
+        if (.not. allocated(list)) allocate (list(first_room))
+        if (count == size(list)) then
+            allocate (grown(2*count))
+            grown(:count) = list
+            call move_alloc(grown, list)
+        end if
+        count = count + 1
+        list(count) = item
+    end subroutine append_line
+
+    !> Adds a piece of a line.
+    pure subroutine append_piece(list, count, item)
+        type(piece_type), allocatable, intent(inout) :: list(:) !! the list
+        integer, intent(inout) :: count !! items in it
+        type(piece_type), intent(in) :: item !! what to add
+        type(piece_type), allocatable :: grown(:)
+
+        if (.not. allocated(list)) allocate (list(first_room))
+        if (count == size(list)) then
+            allocate (grown(2*count))
+            grown(:count) = list
+            call move_alloc(grown, list)
+        end if
+        count = count + 1
+        list(count) = item
+    end subroutine append_piece
+
+    !> Adds a section.
+    pure subroutine append_section(list, count, item)
+        type(section_type), allocatable, intent(inout) :: list(:) !! the list
+        integer, intent(inout) :: count !! items in it
+        type(section_type), intent(in) :: item !! what to add
+        type(section_type), allocatable :: grown(:)
+
+        if (.not. allocated(list)) allocate (list(first_room))
+        if (count == size(list)) then
+            allocate (grown(2*count))
+            grown(:count) = list
+            call move_alloc(grown, list)
+        end if
+        count = count + 1
+        list(count) = item
+    end subroutine append_section
+
+    !> Adds a cut.
+    pure subroutine append_cut(list, count, item)
+        type(cut_type), allocatable, intent(inout) :: list(:) !! the list
+        integer, intent(inout) :: count !! items in it
+        type(cut_type), intent(in) :: item !! what to add
+        type(cut_type), allocatable :: grown(:)
+
+        if (.not. allocated(list)) allocate (list(first_room))
+        if (count == size(list)) then
+            allocate (grown(2*count))
+            grown(:count) = list
+            call move_alloc(grown, list)
+        end if
+        count = count + 1
+        list(count) = item
+    end subroutine append_cut
+
+    !> Adds a component.
+    pure subroutine append_check(list, count, item)
+        type(check_type), allocatable, intent(inout) :: list(:) !! the list
+        integer, intent(inout) :: count !! items in it
+        type(check_type), intent(in) :: item !! what to add
+        type(check_type), allocatable :: grown(:)
+
+        if (.not. allocated(list)) allocate (list(first_room))
+        if (count == size(list)) then
+            allocate (grown(2*count))
+            grown(:count) = list
+            call move_alloc(grown, list)
+        end if
+        count = count + 1
+        list(count) = item
+    end subroutine append_check
+
+end module deck_job_list
