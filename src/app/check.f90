@@ -53,6 +53,7 @@ contains
         type(conic_deck_type) :: deck
         type(conic_card_type) :: card
         type(fault_list_type) :: faults
+        type(error_type), allocatable :: ignored
         integer :: outcome
 
         is_faulty = .false.
@@ -66,6 +67,7 @@ contains
             end if
             if (outcome == found%conic) call check_conic(card, faults)
             call print_faults(faults, name, .true., messages)
+            call messages%flush(ignored)
             is_faulty = is_faulty .or. faults%has_errors(0)
             call faults%clear()
             if (outcome == found%finished) exit

@@ -9,13 +9,14 @@ module app_files
     use base_error, only: cause, error_type, fail
     use base_output, only: output_type
     use base_posix, only: c_close, c_creat, c_fclose, c_fileno, c_fopen, c_getpid, c_mkdir, &
-        c_readlink, c_rename, c_text, c_truncate, c_unlink, last_error, standard_input, standard_output
+        c_readlink, c_rename, c_text, c_truncate, c_unlink, last_error, standard_error, &
+        standard_input, standard_output
     use base_text, only: to_text
     use deck_source, only: source_type
     implicit none (type, external)
     private
 
-    public :: deck_file_type, result_file_type, make_folder, base_name
+    public :: deck_file_type, result_file_type, hold_standard_files, make_folder, base_name
 
     !> Permissions asked for a new file or folder; the umask takes its part.
     integer(c_int), parameter :: file_mode = int(o'666', c_int), folder_mode = int(o'777', c_int)
@@ -43,6 +44,19 @@ module app_files
     end type result_file_type
 
 contains
+
+    !> Fills standard input, output and error where they came closed, so that no file opened later
+    !> gets the place of one and takes what is meant for it. Writing to them fails as before.
+    subroutine hold_standard_files()
+        type(c_ptr) :: stream
+        integer(c_int) :: ignored
+        do
+            stream = c_fopen(c_text('/dev/null'), c_text('r'))
+            if (.not. c_associated(stream)) return
+            if (c_fileno(stream) > standard_error) exit
+        end do
+        ignored = c_fclose(stream)
+    end subroutine hold_standard_files
 
     !> Opens a deck by name; `-` is standard input.
     !>

@@ -2,6 +2,7 @@
 !> went wrong and sets the exit status.
 program loft
     use app_check, only: check_decks
+    use app_files, only: hold_standard_files
     use app_help, only: print_help, print_version
     use app_options, only: argument_type, options_type, read_options
     use app_plot, only: plot_deck
@@ -17,6 +18,7 @@ program loft
     type(error_type), allocatable :: error, ignored
     integer :: exit_status
 
+    call hold_standard_files()
     call messages%attach(standard_error)
     call answer%attach(standard_output)
     exit_status = status%done

@@ -94,15 +94,12 @@ contains
         type(conic_card_type), intent(in) :: card   !! the card
         type(output_type), intent(inout) :: out     !! where it goes
         character(page_columns) :: names
-        character(:), allocatable :: head, name, place
-        integer :: i, first, last
+        character(:), allocatable :: head, place
+        integer :: i
 
         names = ''
         do i = 1, size(conic_fields)
-            first = conic_fields(i)%first
-            last = conic_fields(i)%last
-            name = conic_fields(i)%name(:min(len(conic_fields%name), last - first + 1))
-            names(first:last) = name
+            names(conic_fields(i)%first:conic_fields(i)%last) = conic_fields(i)%name
         end do
         head = 'CARD '//to_text(card%count)//'   '//card%label
         place = '  LINE '//to_text(card%line)
@@ -140,12 +137,16 @@ contains
         type(page_type), intent(inout) :: page      !! the listing
         type(card_facts_type), intent(in) :: facts  !! of a card with an arc
         type(output_type), intent(inout) :: out     !! where it goes
+        character(10) :: left(3)
+        integer :: i
 
         call page%line(out, 'EQUATION, POINT 1 AS ORIGIN: A XX + B XY + C YY + D X + E Y + F = 0')
         call print_coefficients(page, facts%conic%coefficient, out)
-        call page%line(out, '  LEFT SIDE AT POINT 1 '//scientific(facts%residual(1), 10, 2)// &
-            '   AT 2 '//scientific(facts%residual(2), 10, 2)// &
-            '   AT 3 '//scientific(facts%residual(3), 10, 2))
+        do i = 1, size(left)
+            left(i) = scientific(facts%residual(i), len(left), 2)
+        end do
+        call page%line(out, '  LEFT SIDE AT POINT 1 '//left(1)//'   AT 2 '//left(2)// &
+            '   AT 3 '//left(3))
     end subroutine print_equation
 
     !> Prints the equation in the frame of the 1970 program, or that it has none.
@@ -154,6 +155,7 @@ contains
         type(card_facts_type), intent(in) :: facts  !! of a card with an arc
         type(output_type), intent(inout) :: out     !! where it goes
         character(16) :: shift
+        character(10) :: condition, difference
 
         shift = adjustl(fixed(facts%shifted%shift, 16, 3))
         call page%line(out, 'THE SAME FROM FIVE EQUATIONS, X AND Y PLUS '//trim(shift)// &
@@ -163,8 +165,10 @@ contains
             return
         end if
         call print_coefficients(page, facts%shifted%coefficient, out)
-        call page%line(out, '  CONDITION '//scientific(1.0_dp/facts%shifted%rcond, 10, 2)// &
-            '   LARGEST DISTANCE FROM THE ARC '//scientific(facts%difference, 10, 2))
+        condition = scientific(1.0_dp/facts%shifted%rcond, len(condition), 2)
+        difference = scientific(facts%difference, len(difference), 2)
+        call page%line(out, '  CONDITION '//condition// &
+            '   LARGEST DISTANCE FROM THE ARC '//difference)
     end subroutine print_shifted
 
     !> Prints coefficients by name, three on a line.
