@@ -78,8 +78,8 @@ contains
         integer :: i
 
         if (index(line%text, ',') > 0) then
-            allocate (field, source=fields_between_commas(trim(columns(line%text, 1, free_columns)), &
-                sheet))
+            allocate (field, source=fields_between_commas(trim( &
+                columns(line%text, 1, free_columns)), sheet))
         else
             allocate (field, source=[(field_type(sheet, field_width*(i - 1) + 1, field_width*i), &
                 i = 1, fields_across)])
@@ -123,7 +123,7 @@ contains
         end do
     end function field_count
 
-    !> The text of a field in capitals, without blanks around it; nothing where the card ends before.
+    !> The text of a field in capitals, without blanks around it; nothing behind the card's end.
     pure function field_text(card, number) result(text)
         type(card_type), intent(in) :: card !! the card
         integer, intent(in) :: number       !! which field, from 1
@@ -192,7 +192,8 @@ contains
         place = card%field(number)
         before = place%first - 2 + verify(columns(card%sheet(place%sheet)%image, place%first, &
             place%last), ' ')
-        call add(card, place, new_fault(severity%error, before + first, before + last, message), faults)
+        call add(card, place, new_fault(severity%error, before + first, before + last, message), &
+            faults)
     end subroutine blame_inside
 
     !> Adds a warning that stands on one field.

@@ -2,9 +2,11 @@
 module deck_body_check
     use base_fault, only: fault_list_type
     use base_text, only: to_text
-    use deck_body_card, only: blame, blame_inside, blame_span, card_type, field_count, field_text, warn
+    use deck_body_card, only: blame, blame_inside, blame_span, card_type, field_count, field_text, &
+        warn
     use deck_body_fields, only: fields_of
-    use deck_body_layout, only: body_card, body_field_type, body_layout, body_layout_type, form, need
+    use deck_body_layout, only: body_card, body_field_type, body_layout, body_layout_type, form, &
+        need
     use deck_body_value, only: is_filled, looks_like_number, number_in
     use deck_body_word, only: begins_as_word, in_words, name_trouble, suggestion, words_in
     use deck_number, only: number_type
@@ -60,7 +62,8 @@ contains
             if (i < size(field)) then
                 if (is_missing(card, field(i + 1), is_match)) cycle
             end if
-            call blame_span(card, field(first)%field, field(i)%field, missing_words(field(first:i)), faults)
+            call blame_span(card, field(first)%field, field(i)%field, &
+                missing_words(field(first:i)), faults)
             first = 0
         end do
     end subroutine check_missing
@@ -182,7 +185,8 @@ contains
                 to_text(last), faults)
         else if (.not. any(words_in(layout%options) == text)) then
             call blame(card, number, text//' is no option of this card; options are '// &
-                in_words(words_in(layout%options))//suggestion(text, words_in(layout%options)), faults)
+                in_words(words_in(layout%options))//suggestion(text, words_in(layout%options)), &
+                faults)
         else
             do i = last + 1, number - 1
                 if (field_text(card, i) == text) call blame(card, number, text//' twice', faults)

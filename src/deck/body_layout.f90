@@ -41,7 +41,7 @@ module deck_body_layout
     !> A card: its word, the word in its second field where that tells it from its likes, the option
     !> words that may stand behind its last field, and what it is for.
     type :: body_layout_type
-        character(8) :: word = ''       !! in field 1; nothing: the conic card, numbers from field 1 on
+        character(8) :: word = ''       !! in field 1; the conic card has none
         character(8) :: second = ''     !! in field 2, or nothing
         character(40) :: options = ''   !! words that may follow the last field, in any order
         character(96) :: meaning = ''   !! what the card is for
@@ -60,7 +60,8 @@ module deck_body_layout
         option_type('DXDY3', 'the slope at the last point is dx/dy'), &
         option_type('LAST', 'the slope is that at the last point'), &
         option_type('KNUCKLE', 'a slope break at the joint before this card is intended'), &
-        option_type('MATCH', 'the joint before this card has equal curvature; LOFT finds the shoulder or rho')]
+        option_type('MATCH', &
+        'the joint before this card has equal curvature: LOFT finds shoulder or rho')]
 
     !> The cards by name: `body_layout(body_card%section)`.
     type, public :: body_card_list
@@ -70,7 +71,8 @@ module deck_body_layout
         integer :: five_points = 15, straight = 16, circle = 17, radius = 18
         integer :: section = 19
         integer :: points = 20, limit = 21, flange = 22, skin = 23
-        integer :: station = 24, stations = 25, buttock = 26, waterline = 27, oblique = 28, plane = 29
+        integer :: station = 24, stations = 25, buttock = 26, waterline = 27, oblique = 28, &
+            plane = 29
         integer :: check_point = 30, check_sphere = 31, check_box = 32, end = 33
     end type body_card_list
 
@@ -83,11 +85,13 @@ module deck_body_layout
 
     !> The cards of a body deck besides TITLE and UNITS.
     type(body_layout_type), parameter, public :: body_layout(33) = [ &
-        body_layout_type('OUTPUT', '', '', 'unit of the listing; CSV and files keep the unit of the deck'), &
+        body_layout_type('OUTPUT', '', '', &
+        'unit of the listing; CSV and files keep the unit of the deck'), &
         body_layout_type('DIGITS', '', '', 'decimals of the ordinates in the listing'), &
         body_layout_type('PAGE', '', '', 'size of a page of the listing'), &
         body_layout_type('SYMMETRY', '', '', 'whether the body is symmetric about BL 0'), &
-        body_layout_type('CLOSE', '', '', 'sections that reach BL 0 at both ends are closed along it'), &
+        body_layout_type('CLOSE', '', '', &
+        'sections that reach BL 0 at both ends are closed along it'), &
         body_layout_type('TOLER', '', '', 'largest gap at a joint of a line or between sections'), &
         body_layout_type('BODY', '', '', 'begins another body; what follows belongs to it'), &
         body_layout_type('NOSE', '', '', 'rounds the point nose of the body'), &
@@ -103,10 +107,12 @@ module deck_body_layout
         body_layout_type('FOURPT', '', one_slope, 'data card: four points and one end slope'), &
         body_layout_type('FIVEPT', '', no_slope, 'data card: five points'), &
         body_layout_type('STRAIGHT', '', no_slope, 'data card: a straight line'), &
-        body_layout_type('CIRCLE', '', no_slope, 'data card: the circular arc through three points'), &
+        body_layout_type('CIRCLE', '', no_slope, &
+        'data card: the circular arc through three points'), &
         body_layout_type('RADIUS', '', no_slope, &
         'data card: the circular arc of at most 180 degrees between two points'), &
-        body_layout_type('SECTION', '', '', 'a conic of the cross-section at every station of its lines'), &
+        body_layout_type('SECTION', '', '', &
+        'a conic of the cross-section at every station of its lines'), &
         body_layout_type('POINTS', '', '', &
         'how the points are spread on the cuts that follow and give no step themselves'), &
         body_layout_type('LIMIT', '', '', 'limits the cuts that follow'), &
@@ -119,7 +125,8 @@ module deck_body_layout
         body_layout_type('OBLIQUE', '', '', &
         'a cut by the plane across the body through two (STA, WL) points, which also limit it'), &
         body_layout_type('PLANE', '', '', 'a cut by any plane'), &
-        body_layout_type('CHECK', 'POINT', '', 'a point that must keep clear of the inside of the skin'), &
+        body_layout_type('CHECK', 'POINT', '', &
+        'a point that must keep clear of the inside of the skin'), &
         body_layout_type('CHECK', 'SPHERE', '', 'a sphere that must keep clear of it'), &
         body_layout_type('CHECK', 'BOX', '', 'a box along the axes that must keep clear of it'), &
         body_layout_type('END', '', '', 'ends the deck; without it the deck ends with the file')]

@@ -36,9 +36,9 @@ contains
         integer :: i
         word_count = 0
         do i = 1, len(text)
-            if (text(i:i) /= ' ' .and. text(max(i - 1, 1):max(i - 1, 1)) == ' ') word_count = word_count + 1
+            if (text(i:i) == ' ') cycle
+            if (i == 1 .or. text(max(i - 1, 1):max(i - 1, 1)) == ' ') word_count = word_count + 1
         end do
-        if (index(text//' ', ' ') > 1) word_count = word_count + 1
     end function word_count
 
     !> The word of a list that a text was likely meant to be, or nothing.
@@ -95,7 +95,7 @@ contains
         character(*), intent(in) :: b !! another
         are_exchanged = .false.
         if (len(a) < 2 .or. len(b) < 2) return
-        are_exchanged = a(len(a):) == b(len(b) - 1:len(b) - 1) .and. a(len(a) - 1:len(a) - 1) == b(len(b):)
+        are_exchanged = a(len(a):)//a(len(a) - 1:len(a) - 1) == b(len(b) - 1:)
     end function are_exchanged
 
     !> A list of words for a sentence: `SIDE, PLAN or ANGLE`.

@@ -28,7 +28,8 @@ contains
         type(fault_list_type), intent(inout) :: faults  !! what is wrong is added
         integer :: i
 
-        if (state%has_body_card .or. state%lines + state%sections + state%cuts + state%checks > 0 .or. &
+        if (state%has_body_card .or. &
+            state%lines + state%sections + state%cuts + state%checks > 0 .or. &
             state%body%has_nose) call close_body(state, faults)
         do i = 1, state%bodies
             if (state%job%body(i)%name == field_text(card, 2)) call blame(card, 2, &
@@ -46,8 +47,8 @@ contains
 
         call check_once(state, card, body_card%nose, 'body', faults)
         if (real_in(card, 2) <= 0.0_dp) then
-            call blame(card, 2, 'the radius of a rounded nose is above zero; without the card it is sharp', &
-                faults)
+            call blame(card, 2, &
+                'the radius of a rounded nose is above zero; without the card it is sharp', faults)
             return
         end if
         state%body%has_nose = .true.
@@ -76,7 +77,8 @@ contains
         end do
         item%range = range_type(is_filled(card, 8), is_filled(card, 9), decimal_in(card, 8), &
             decimal_in(card, 9))
-        if (item%range%has_from .and. item%range%has_to .and. real_in(card, 8) >= real_in(card, 9)) then
+        if (item%range%has_from .and. item%range%has_to .and. &
+            real_in(card, 8) >= real_in(card, 9)) then
             call blame(card, 9, 'TO is not aft of FROM', faults)
         end if
         if (field_text(card, 10) == 'PORT') item%side = side%port
@@ -212,7 +214,8 @@ contains
         trouble = ''
         line = find_line(state, name)
         if (line == 0) then
-            trouble = 'there is no LINE '//name//in_this_body(state)//suggestion(name, line_names(state))
+            trouble = 'there is no LINE '//name//in_this_body(state)// &
+                suggestion(name, line_names(state))
         else if (state%body%line(line)%view(which)%origin == origin%none) then
             trouble = 'LINE '//name//' has no '//trim(view_name(which))
         else

@@ -1,4 +1,5 @@
-!> The cuts and the components that must keep clear: STATION, BUTTOCK, WATERLN, OBLIQUE, PLANE, CHECK.
+!> The cuts and the components that must keep clear: STATION, BUTTOCK, WATERLN, OBLIQUE, PLANE and
+!> CHECK.
 module deck_job_cut
     use base_constants, only: largest_table
     use base_exact, only: is_equal, is_zero
@@ -71,7 +72,8 @@ contains
 
         fixed = fixed_axis(item)
         if (fixed > 0) item%limit(fixed) = range_type()
-        item%points%kind = merge(rule%number, 0, item%kind == cut%station .or. item%kind == cut%plane)
+        item%points%kind = merge(rule%number, 0, &
+            item%kind == cut%station .or. item%kind == cut%plane)
         if (.not. standing%has_points) return
         if (standing%points%kind == rule%step .and. standing%points%axis == fixed) return
         item%points = standing%points
@@ -136,8 +138,9 @@ contains
             end if
             item%is_stepped = is_filled(card, field%to) .and. is_filled(card, field%step)
             if (is_filled(card, field%to) .neqv. is_filled(card, field%step)) call blame(card, &
-                merge(field%step, field%to, is_filled(card, field%to)), 'a range of stations has FROM, '// &
-                'TO and STEP; one station alone has FROM only, some have STATION LIST', faults)
+                merge(field%step, field%to, is_filled(card, field%to)), &
+                'a range of stations has FROM, TO and STEP; one station alone has FROM only, '// &
+                'some have STATION LIST', faults)
             call take_numbers(item, merge(3, 1, item%is_stepped), 5)
             if (item%is_stepped) call check_step(item, field, faults)
         end associate
@@ -183,14 +186,16 @@ contains
             item%points = point_rule_type(kind=rule%step, axis=axis%sta, &
                 step=decimal_in(item%card, field%step))
             if (fixed_axis(item) == axis%sta) then
-                call blame(item%card, field%step, 'a step of STA in a plane at one station; leave it '// &
-                    'blank, put a POINTS card before, or use STATION', faults)
+                call blame(item%card, field%step, &
+                    'a step of STA in a plane at one station; leave it blank, put a POINTS '// &
+                    'card before, or use STATION', faults)
             else
                 call check_step(item, field, faults)
             end if
         else if (item%points%kind == 0) then
-            call blame(item%card, field%step, 'STEP is missing, and no POINTS card before says how '// &
-                'the points of such a cut are spread', faults)
+            call blame(item%card, field%step, &
+                'STEP is missing, and no POINTS card before says how the points of such a cut '// &
+                'are spread', faults)
         end if
     end subroutine take_step
 
@@ -223,8 +228,8 @@ contains
                     compact(real_in(card, field%from))//' to '//compact(real_in(card, field%to))// &
                     ' it is '//merge('positive', 'negative', way > 0.0_dp), faults)
             else if (abs(way) > abs(step)*real(largest_table, dp)) then
-                call blame(card, field%step, 'more than '//to_text(largest_table)//' steps; a larger '// &
-                    'STEP is right', faults)
+                call blame(card, field%step, 'more than '//to_text(largest_table)// &
+                    ' steps; a larger STEP is right', faults)
             end if
         end associate
     end subroutine check_step

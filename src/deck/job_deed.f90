@@ -34,8 +34,9 @@ contains
         call find_kind(state, card, kind, faults)
         if (kind == 0) return
         if (is_data_card(kind) .and. .not. state%open%is_open) then
-            call blame(card, 1, 'a data card outside a LINE; a LINE card comes first, its data cards '// &
-                'right behind it', faults)
+            call blame(card, 1, &
+                'a data card outside a LINE; a LINE card comes first, its data cards right '// &
+                'behind it', faults)
             return
         end if
         if (.not. is_data_card(kind)) call close_line(state, faults)
@@ -87,8 +88,9 @@ contains
         integer :: i
 
         if (any(card_word == word(:scan(word//' ', ' ') - 1))) then
-            call blame(card, 1, 'more than the word in the first field; the next field begins in '// &
-                'column 9, or put commas between all fields', faults)
+            call blame(card, 1, &
+                'more than the word in the first field; the next field begins in column 9, or '// &
+                'put commas between all fields', faults)
         else
             call blame(card, 1, word//' begins no card (see loft help cards)'// &
                 suggestion(word, card_word), faults)
@@ -190,8 +192,8 @@ contains
             do j = 1, size(job%body(i)%section)
                 associate (item => job%body(i)%section(j))
                     if (item%side == side%starboard) cycle
-                    call blame(item%card, 10, field_text(item%card, 10)//' in a symmetric body; '// &
-                        'SYMMETRY NO makes its sides different', faults)
+                    call blame(item%card, 10, field_text(item%card, 10)// &
+                        ' in a symmetric body; SYMMETRY NO makes its sides different', faults)
                     item%is_sound = .false.
                 end associate
             end do
@@ -214,8 +216,8 @@ contains
             call faults%add(new_fault(severity%warning, 0, 0, 'the deck has no SECTION card: '// &
                 'there is no body to cut'))
         else if (cuts == 0) then
-            call faults%add(new_fault(severity%warning, 0, 0, 'the deck asks for no cut; STATION, '// &
-                'BUTTOCK, WATERLN, OBLIQUE and PLANE do'))
+            call faults%add(new_fault(severity%warning, 0, 0, &
+                'the deck asks for no cut; STATION, BUTTOCK, WATERLN, OBLIQUE and PLANE do'))
         end if
     end subroutine warn_of_nothing
 

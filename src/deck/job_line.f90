@@ -134,8 +134,9 @@ contains
             'KNUCKLE on the first card of a line says nothing: there is no joint before it', faults)
         number = to_real(item%value(size(item%value)))
         if (item%kind == piece%rho .or. item%kind == piece%tangent_rho) then
-            if (.not. item%is_match .and. (number <= 0.0_dp .or. number >= 1.0_dp)) call blame(item%card, &
-                last - 1, 'rho is above 0 and below 1; below .5 an ellipse, .5 a parabola', faults)
+            if (item%is_match .or. (number > 0.0_dp .and. number < 1.0_dp)) return
+            call blame(item%card, last - 1, &
+                'rho is above 0 and below 1; below .5 an ellipse, .5 a parabola', faults)
         else if (item%kind == piece%radius .and. is_zero(number)) then
             call blame(item%card, last - 1, 'the radius is zero', faults)
         end if
@@ -148,10 +149,12 @@ contains
         type(open_line_type) :: none
 
         if (state%open%line > 0) then
-            associate (given => state%body%line(state%open%line)%view(state%open%view), open => state%open)
+            associate (given => state%body%line(state%open%line)%view(state%open%view), &
+                open => state%open)
                 if (given%origin == origin%pieces .and. open%pieces == 0 .and. open%is_sound) then
-                    call blame(given%card, 2, 'a LINE without data; its conics follow on data cards, or'// &
-                        ' field 4 names another line or a constant', faults)
+                    call blame(given%card, 2, &
+                        'a LINE without data; its conics follow on data cards, or field 4 '// &
+                        'names another line or a constant', faults)
                     open%is_sound = .false.
                 end if
                 given%is_sound = given%is_sound .and. open%is_sound

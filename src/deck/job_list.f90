@@ -12,7 +12,8 @@ module deck_job_list
 
     !> Puts an item at the end of a list that holds `count` of them.
     interface append
-        module procedure append_body, append_line, append_piece, append_section, append_cut, append_check
+        module procedure append_body, append_line, append_piece, append_section, append_cut, &
+            append_check
     end interface append
 
 contains

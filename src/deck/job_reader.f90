@@ -5,7 +5,8 @@ module deck_job_reader
     use base_fault, only: fault_list_type, fault_type, new_fault, severity
     use base_kinds, only: i64
     use base_text, only: counted, to_text
-    use deck_body_card, only: blame, card_type, continue_card, free_columns, is_continuation, new_card
+    use deck_body_card, only: blame, card_type, continue_card, free_columns, is_continuation, &
+        new_card
     use deck_body_layout, only: body_card
     use deck_control_card, only: begins_with_word, card_word, control_bytes, heading_type, &
         read_heading_card
@@ -57,8 +58,9 @@ contains
             call take_line(deck, line, faults)
         end do
         call finish_card(deck, faults)
-        if (deck%after_end > 0) call add_fault(severity%warning, 0, counted(deck%after_end, 'card')// &
-            ' after the END card not read', line_type(text='', number=deck%end_line), faults)
+        if (deck%after_end > 0) call add_fault(severity%warning, 0, &
+            counted(deck%after_end, 'card')//' after the END card not read', &
+            line_type(text='', number=deck%end_line), faults)
         call finish_job(deck%state, deck%heading, faults)
         call sort_by_line(faults, before + 1)
         job = deck%state%job
@@ -72,8 +74,9 @@ contains
 
         if (line%has_null) then
             deck%is_binary = .true.
-            call add_fault(severity%error, max(1, index(line%text, achar(0))), 'a null byte: this is a '// &
-                'binary file, not a deck of cards; nothing more of it is read', &
+            call add_fault(severity%error, max(1, index(line%text, achar(0))), &
+                'a null byte: this is a binary file, not a deck of cards; nothing more of it '// &
+                'is read', &
                 line_type(text='', number=line%number), faults)
         else if (line%filled == 0) then
             return
@@ -126,7 +129,8 @@ contains
         else if (deck%has_card) then
             call continue_card(deck%card, line)
         else if (.not. deck%is_refused) then
-            call add_fault(severity%error, 1, 'a continuation without a card before it', line, faults)
+            call add_fault(severity%error, 1, 'a continuation without a card before it', line, &
+                faults)
         end if
     end subroutine take_continuation
 
@@ -151,7 +155,8 @@ contains
         is_sound = bad == 0 .and. line%filled <= room
         if (line%filled <= room) return
         call add_fault(severity%error, room + 1, 'text beyond column '//to_text(room)// &
-            '; a card has 80 columns, with commas 132; a card with + in column 1 continues it', line, faults)
+            '; a card has 80 columns, with commas 132; a card with + in column 1 continues it', &
+            line, faults)
         associate (fault => faults%item(faults%count))
             fault%last = line%filled
         end associate
@@ -170,8 +175,8 @@ contains
         call faults%place(before, line%number, line%text)
     end subroutine add_fault
 
-    !> Puts faults in the order of their lines; those of one line stay as they are, those of the whole
-    !> deck come last.
+    !> Puts faults in the order of their lines; those of one line stay as they are, those of the
+    !> whole deck come last.
     subroutine sort_by_line(faults, first)
         type(fault_list_type), intent(inout) :: faults  !! the faults
         integer, intent(in) :: first                    !! the first to sort

@@ -1,5 +1,5 @@
-!> The cards that hold for the whole deck or for what follows: OUTPUT, DIGITS, PAGE, SYMMETRY, CLOSE,
-!> TOLER; POINTS, LIMIT, FLANGE, SKIN.
+!> The cards that hold for the whole deck or for what follows: OUTPUT, DIGITS, PAGE, SYMMETRY,
+!> CLOSE, TOLER; POINTS, LIMIT, FLANGE, SKIN.
 module deck_job_setting
     use base_constants, only: largest_table
     use base_decimal, only: decimal_type
@@ -50,8 +50,8 @@ contains
         end select
     end subroutine take_setting
 
-    !> The largest gap at a joint where no TOLER card says it: one in the last decimal of an ordinate
-    !> as the classic card has it, .001 inches, and as much of the other units.
+    !> The largest gap at a joint where no TOLER card says it: one in the last decimal of an
+    !> ordinate as the classic card has it, .001 inches, and as much of the other units.
     pure type(decimal_type) function default_joint_gap(units)
         character(*), intent(in) :: units !! INCHES, MM or FEET
         select case (units)
@@ -186,8 +186,10 @@ contains
         integer, intent(in) :: least                    !! least that may stand there
         integer, intent(in) :: most                     !! most that may stand there
         type(fault_list_type), intent(inout) :: faults  !! what is wrong is added
-        if (real_in(card, field) >= real(least, dp) .and. real_in(card, field) <= real(most, dp)) return
-        call blame(card, field, 'the number is from '//to_text(least)//' to '//to_text(most), faults)
+        if (real_in(card, field) >= real(least, dp) .and. &
+            real_in(card, field) <= real(most, dp)) return
+        call blame(card, field, 'the number is from '//to_text(least)//' to '//to_text(most), &
+            faults)
     end subroutine check_between
 
 end module deck_job_setting

@@ -23,7 +23,7 @@ module deck_job_state
     !> The line whose data cards are being read.
     type :: open_line_type
         logical :: is_open = .false.                !! data cards may follow
-        integer :: line = 0                         !! which line of the open body; 0: its card was bad
+        integer :: line = 0                         !! which line of the body; 0: its card was bad
         integer :: view = 0                         !! which view of it
         logical :: is_sound = .true.                !! none of its cards was in error
         integer :: pieces = 0                       !! pieces so far
@@ -42,7 +42,7 @@ module deck_job_state
         integer :: checks = 0                       !! its checks
         type(open_line_type) :: open                !! the open line
         type(standing_type) :: standing             !! what holds for cuts to come
-        logical :: has_met(size(body_layout)) = .false. !! cards met that a deck, or a body, has once
+        logical :: has_met(size(body_layout)) = .false. !! cards met that stand but once
     end type state_type
 
 contains

@@ -1,6 +1,6 @@
-!> What kind of deck is it? The first card that is not blank, a comment, TITLE or UNITS decides: a word
-!> in its first field makes a body deck, a number or nothing a 1970 deck. That card is put back, so
-!> that a deck from a pipe needs to be read only once.
+!> What kind of deck is it? The first card that is not blank, a comment, TITLE or UNITS decides: a
+!> word in its first field makes a body deck, a number or nothing a 1970 deck. That card is put
+!> back, so that a deck from a pipe needs to be read only once.
 module deck_kind
     use base_error, only: error_type
     use base_fault, only: fault_list_type
@@ -13,7 +13,7 @@ module deck_kind
 
     !> The kinds of deck.
     type, public :: deck_kind_list
-        integer :: conic = 1    !! a 1970 deck; a deck without a card, or with a null byte, is taken as one
+        integer :: conic = 1    !! a 1970 deck; so are an empty one and one with a null byte
         integer :: body = 2     !! a body deck
     end type deck_kind_list
 
@@ -35,7 +35,7 @@ contains
     subroutine read_opening(source, opening, faults, error)
         type(source_type), intent(inout) :: source          !! where the lines come from
         type(opening_type), intent(out) :: opening          !! how the deck begins
-        type(fault_list_type), intent(inout) :: faults      !! what is wrong with TITLE and UNITS is added
+        type(fault_list_type), intent(inout) :: faults      !! what is wrong so far is added
         type(error_type), allocatable, intent(out) :: error !! see above
         type(line_type) :: line
         type(line_type), allocatable :: comment
