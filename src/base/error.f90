@@ -14,8 +14,8 @@ module base_error
         integer :: file_trouble = 1        !! a file can't be opened, read, written or renamed
         integer :: usage = 2               !! the command line is wrong
         integer :: points_coincide = 10    !! two of the three points of a conic are one
-        integer :: shoulder_on_chord = 11  !! shoulder point in line with points 1 and 3, tangents not
-        integer :: shoulder_outside = 12   !! shoulder point on the wrong side of chord or end tangent
+        integer :: shoulder_on_chord = 11  !! shoulder point in line with 1 and 3, tangents not
+        integer :: shoulder_outside = 12   !! shoulder point on the wrong side of chord or tangent
         integer :: inflection = 13         !! end slopes that only an S-shaped curve could have
         integer :: other_branch = 14       !! shoulder point on the other branch of the conic
         integer :: tangent_on_chord = 15   !! an end tangent runs along the chord of a curved arc

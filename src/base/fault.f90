@@ -1,5 +1,6 @@
 !> A fault of a deck: what is wrong, what would be right, and where it stands on which card.
-!> Faults are collected in a list or reported one by one as they are met; `report_fault` prints them.
+!> Faults are collected in a list or reported one by one as they are met; `report_fault` prints
+!> them.
 module base_fault
     use base_kinds, only: i64
     implicit none (type, external)
@@ -9,7 +10,7 @@ module base_fault
 
     !> How grave a fault is. An error makes the exit status 1, a warning does not.
     type, public :: severity_list
-        integer :: remark = 0   !! a warning of `loft check` alone: read as it is said, not as it looks
+        integer :: remark = 0   !! a warning of `loft check` alone: read otherwise than it looks
         integer :: warning = 1  !! the job runs as asked; the user will want to know
         integer :: error = 2    !! the card can't be run, or not as it stands
     end type severity_list

@@ -1,6 +1,7 @@
-!> Where finished text goes: a large buffer in front of a descriptor that `app` has opened, or, where
-!> there is none, a text kept in memory (tests read it there). Writers put lines and never ask which.
-!> The first failure is kept and later puts do nothing, so a writer need not look after each line.
+!> Where finished text goes: a large buffer in front of a descriptor that `app` has opened, or,
+!> where there is none, a text kept in memory (tests read it there). Writers put lines and never
+!> ask which. The first failure is kept and later puts do nothing, so a writer need not look after
+!> each line.
 module base_output
     use, intrinsic :: iso_c_binding, only: c_int, c_intptr_t, c_size_t
     use base_error, only: cause, error_type, fail

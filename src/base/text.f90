@@ -74,8 +74,8 @@ contains
         text = trim(field)
     end function long_text
 
-    !> A number for a sentence: up to six decimals, or up to six figures and a power of ten, no zeros
-    !> at the end (`12.5`, `-0.001`, `7.`, `3.E+20`).
+    !> A number for a sentence: up to six decimals, or up to six figures and a power of ten, no
+    !> zeros at the end (`12.5`, `-0.001`, `7.`, `3.E+20`).
     pure function compact(value) result(text)
         real(dp), intent(in) :: value !! a finite number
         character(:), allocatable :: text

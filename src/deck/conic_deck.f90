@@ -147,8 +147,8 @@ contains
         deck%is_binary = .true.
         before = faults%count
         column = index(line%text, achar(0))
-        call faults%add(new_fault(severity%error, column, column, 'a null byte: this is a binary file,'// &
-            ' not a deck of cards; nothing more of it is read'))
+        call faults%add(new_fault(severity%error, column, column, &
+            'a null byte: this is a binary file, not a deck of cards; nothing more of it is read'))
         call faults%place(before, line%number, '')
     end subroutine refuse_binary
 
@@ -165,8 +165,9 @@ contains
             call faults%place(before, deck%end_line, '')
         end if
         if (deck%cards == 0 .and. .not. deck%is_binary) then
-            call faults%add(new_fault(severity%error, 0, 0, 'the deck has no conic card; it needs at'// &
-                ' least one, with X1 in columns 1-8 (see loft help cards)'))
+            call faults%add(new_fault(severity%error, 0, 0, &
+                'the deck has no conic card; it needs at least one, with X1 in columns 1-8 '// &
+                '(see loft help cards)'))
         end if
     end subroutine close_deck
 

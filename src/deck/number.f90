@@ -1,6 +1,6 @@
 !> A number in the columns of a field, read as the FORTRAN of 1970 read it under F and I formats:
-!> a punched point wins over the implied one, a blank after the first figure is a zero, a blank field
-!> is zero, an exponent may follow as `E`, `D` or a bare sign.
+!> a punched point wins over the implied one, a blank after the first figure is a zero, a blank
+!> field is zero, an exponent may follow as `E`, `D` or a bare sign.
 module deck_number
     use base_decimal, only: decimal_type, largest_power
     use base_kinds, only: i64
@@ -257,11 +257,12 @@ contains
         case (',')
             words = 'a comma in a number; the point is a full stop and fields go by columns'
         case ('!':'+', '/', ':':'C', 'F':'H', 'J', 'K', 'M', 'N', 'P':'~')
-            words = ''''//letter//''' in a number; figures, a sign, a point and an exponent are read'
+            words = ''''//letter// &
+                ''' in a number; figures, a sign, a point and an exponent are read'
         case default
             write (code, '(z2.2)') ichar(letter)
-            words = 'byte '//code//' (hexadecimal) in a number; only plain ASCII figures, signs and &
-                &points are read'
+            words = 'byte '//code//' (hexadecimal) in a number; only plain ASCII figures, signs'// &
+                ' and points are read'
         end select
     end function stranger
 

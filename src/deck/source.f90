@@ -117,7 +117,7 @@ contains
 
     !> Takes the line that was put back last.
     subroutine take_waiting(waiting, line)
-        type(line_type), allocatable, intent(inout) :: waiting(:)   !! the lines; none left: not allocated
+        type(line_type), allocatable, intent(inout) :: waiting(:) !! the lines; emptied: none
         type(line_type), intent(inout) :: line                      !! the line
         type(line_type), allocatable :: others(:)
         integer :: count

@@ -30,11 +30,13 @@ contains
             'help and version are options too')
         call refused('', 'no command; one of: run check plot help (try loft help)', 'no command')
         call refused('fly', '''fly'' is no command; one of: run check plot help', 'another command')
-        call refused('RUN', '''RUN'' is no command; one of: run check plot help', 'a command in capitals')
+        call refused('RUN', '''RUN'' is no command; one of: run check plot help', &
+            'a command in capitals')
         call refused('run check', '''run check'' is no command; one of: run check plot help', &
             'two commands in one word')
         call refused('ru', '''ru'' is no command; one of: run check plot help', 'part of a command')
-        call refused('-o', '''-o'' is no command; one of: run check plot help', 'an option before the command')
+        call refused('-o', '''-o'' is no command; one of: run check plot help', &
+            'an option before the command')
     end subroutine check_commands
 
     !> What is not said.
@@ -44,7 +46,8 @@ contains
         call tap%same(options%arithmetic//'/'//options%format//'/'//options%output, 'ieee//', &
             'IEEE arithmetic, no format, no file')
         call tap%near(to_real(options%shift), 100.0_dp, 0.0_dp, 'a shift of 100')
-        call tap%ok(.not. options%asa .and. .not. options%wants_help .and. size(options%operand) == 0, &
+        call tap%ok(.not. options%asa .and. .not. options%wants_help &
+            .and. size(options%operand) == 0, &
             'no flags and no deck')
     end subroutine check_defaults
 
@@ -56,14 +59,18 @@ contains
 
         do i = 1, 2
             options = options_of('run|--arithmetic'//link(i)//'s360|--format'//link(i)//'listing|a')
-            call tap%same(options%arithmetic//' '//options%format//' '//decks(options), 's360 listing a|', &
+            call tap%same(options%arithmetic//' '//options%format//' '//decks(options), &
+                's360 listing a|', &
                 'arithmetic and format, linked by '//link(i))
             options = options_of('run|--arithmetic'//link(i)//'ieee|--format'//link(i)//'csv')
-            call tap%same(options%arithmetic//' '//options%format, 'ieee csv', 'the other ones, by '//link(i))
+            call tap%same(options%arithmetic//' '//options%format, 'ieee csv', &
+                'the other ones, by '//link(i))
             options = options_of('run|--shift'//link(i)//'-250.5|a')
-            call tap%near(to_real(options%shift), -250.5_dp, 0.0_dp, 'a negative shift, by '//link(i))
+            call tap%near(to_real(options%shift), -250.5_dp, 0.0_dp, &
+                'a negative shift, by '//link(i))
             options = options_of('plot|--format'//link(i)//'txt|a|-o|pictures')
-            call tap%same(options%format//' '//options%output, 'txt pictures', 'a picture''s format, by '//link(i))
+            call tap%same(options%format//' '//options%output, 'txt pictures', &
+                'a picture''s format, by '//link(i))
         end do
         do i = 1, 3
             call tap%same(command('plot|--format='//trim(word(i, 'svg pdf png'))//'|a'), 'plot', &
@@ -88,10 +95,13 @@ contains
         call tap%near(to_real(options%shift), 1500.0_dp, 0.0_dp, 'a shift with an exponent')
         options = options_of('run|--shift|0')
         call tap%near(to_real(options%shift), 0.0_dp, 0.0_dp, 'no shift')
-        call refused('run|--shift|lots', '--shift ''lots'': it is a number in deck units', 'a shift in words')
+        call refused('run|--shift|lots', '--shift ''lots'': it is a number in deck units', &
+            'a shift in words')
         call refused('run|--shift=', '--shift '''': it is a number in deck units', 'an empty shift')
-        call refused('run|--shift|1,5', '--shift ''1,5'': it is a number in deck units', 'a shift with a comma')
-        call refused('run|--shift|1e99', '--shift ''1e99'': it is a number in deck units', 'a shift out of range')
+        call refused('run|--shift|1,5', '--shift ''1,5'': it is a number in deck units', &
+            'a shift with a comma')
+        call refused('run|--shift|1e99', '--shift ''1e99'': it is a number in deck units', &
+            'a shift out of range')
     end subroutine check_shift
 
     !> Decks.
@@ -103,7 +113,8 @@ contains
         call refused('run|a|b', 'loft run takes one deck; ''b'' is too much', 'run with two decks')
         call refused('plot|a|b|c', 'loft plot takes one deck; ''b'' is too much', 'plot with three')
         call refused('check', 'loft check needs a deck (- is standard input)', 'check without one')
-        call refused('plot|-o|x', 'loft plot needs a deck (- is standard input)', 'plot without one')
+        call refused('plot|-o|x', 'loft plot needs a deck (- is standard input)', &
+            'plot without one')
     end subroutine check_operands
 
     !> Help.
@@ -111,34 +122,48 @@ contains
         call tap%same(command('run|--help')//decks(options_of('run|--help')), 'helprun|', &
             'a command''s --help is the help on it')
         call tap%same(command('check|-h')//decks(options_of('check|-h')), 'helpcheck|', '-h too')
-        call tap%same(decks(options_of('plot|--help|--wrong|a|b')), 'plot|', 'nothing behind it is looked at')
+        call tap%same(decks(options_of('plot|--help|--wrong|a|b')), 'plot|', &
+            'nothing behind it is looked at')
         call tap%same(decks(options_of('help|cards')), 'cards|', 'a topic of help')
         call tap%same(decks(options_of('--help|run')), 'run|', 'also behind the option')
         call tap%same(command('help|--help'), 'help', 'help on help')
-        call refused('help|run|cards', 'loft help takes one topic; ''cards'' is too much', 'two topics')
+        call refused('help|run|cards', 'loft help takes one topic; ''cards'' is too much', &
+            'two topics')
         call refused('--version|a', '--version stands alone', 'a version with a word behind it')
         call refused('run|--help=yes', '--help takes no value', 'help with a value')
     end subroutine check_help
 
     !> Options that a command does not have.
     subroutine check_unknown()
-        call refused('run|--wrong', 'loft run has no option --wrong (try loft help run)', 'an option that is none')
-        call refused('run|--wrong=5', 'loft run has no option --wrong (try loft help run)', 'with a value')
-        call refused('check|-o|x|a', 'loft check has no option -o (try loft help check)', 'an option of others')
-        call refused('plot|--asa|a', 'loft plot has no option --asa (try loft help plot)', 'a flag of others')
-        call refused('run|-ofile', 'loft run has no option -ofile (try loft help run)', 'a name without a blank')
-        call refused('run|-o=file', 'loft run has no option -o=file (try loft help run)', 'or behind an equals sign')
-        call refused('run|--arith|ieee', 'loft run has no option --arith (try loft help run)', 'a shortened option')
-        call refused('run|--ASA', 'loft run has no option --ASA (try loft help run)', 'an option in capitals')
+        call refused('run|--wrong', 'loft run has no option --wrong (try loft help run)', &
+            'an option that is none')
+        call refused('run|--wrong=5', 'loft run has no option --wrong (try loft help run)', &
+            'with a value')
+        call refused('check|-o|x|a', 'loft check has no option -o (try loft help check)', &
+            'an option of others')
+        call refused('plot|--asa|a', 'loft plot has no option --asa (try loft help plot)', &
+            'a flag of others')
+        call refused('run|-ofile', 'loft run has no option -ofile (try loft help run)', &
+            'a name without a blank')
+        call refused('run|-o=file', 'loft run has no option -o=file (try loft help run)', &
+            'or behind an equals sign')
+        call refused('run|--arith|ieee', 'loft run has no option --arith (try loft help run)', &
+            'a shortened option')
+        call refused('run|--ASA', 'loft run has no option --ASA (try loft help run)', &
+            'an option in capitals')
     end subroutine check_unknown
 
     !> Values that an option does not take.
     subroutine check_bad_values()
-        call refused('run|--arithmetic|vax', '--arithmetic ''vax'': it is one of: ieee s360', 'another arithmetic')
-        call refused('run|--format=svg', '--format ''svg'': it is one of: listing csv', 'a picture of run')
-        call refused('plot|--format=csv|a', '--format ''csv'': it is one of: svg pdf png txt', 'a table of plot')
+        call refused('run|--arithmetic|vax', '--arithmetic ''vax'': it is one of: ieee s360', &
+            'another arithmetic')
+        call refused('run|--format=svg', '--format ''svg'': it is one of: listing csv', &
+            'a picture of run')
+        call refused('plot|--format=csv|a', '--format ''csv'': it is one of: svg pdf png txt', &
+            'a table of plot')
         call refused('run|--format=', '--format '''': it is one of: listing csv', 'an empty format')
-        call refused('run|--format|listing csv', '--format ''listing csv'': it is one of: listing csv', &
+        call refused('run|--format|listing csv', &
+            '--format ''listing csv'': it is one of: listing csv', &
             'two formats in one word')
         call refused('run|--asa=yes', '--asa takes no value', 'a flag with a value')
         call refused('run|-o', '-o needs a value', 'no file behind -o')
@@ -149,7 +174,8 @@ contains
 
     !> What can't stand together.
     subroutine check_combinations()
-        call refused('run|--arithmetic|s360|--format|csv', '--format csv goes with --arithmetic ieee; the 1970 '// &
+        call refused('run|--arithmetic|s360|--format|csv', &
+            '--format csv goes with --arithmetic ieee; the 1970 '// &
             'program printed pages only', 'CSV of the 1970 program')
         call refused('run|--asa', '--asa goes with --arithmetic s360', 'carriage control of IEEE')
         call refused('run|a|-o|a', '-o a would replace the deck', 'a result in place of the deck')

@@ -24,14 +24,16 @@ contains
         call tap%ok(bits(decimal_type()) == 0_i64, 'a decimal begins as zero')
         call tap%ok(bits(decimal_type(1_i64, -1)) == int(z'3FB999999999999A', i64), &
             '.1 is 1999 9999 9999 99A(hex) over 2**56')
-        call tap%ok(bits(decimal_type(-1000_i64, -2)) == int(z'C024000000000000', i64), '-10.00 is -10')
+        call tap%ok(bits(decimal_type(-1000_i64, -2)) == int(z'C024000000000000', i64), &
+            '-10.00 is -10')
         call tap%ok(bits(decimal_type(9007199254740993_i64, 0)) == int(z'4340000000000000', i64), &
             '2**53 + 1 rounds to even, down')
         call tap%ok(bits(decimal_type(9007199254740995_i64, 0)) == int(z'4340000000000002', i64), &
             '2**53 + 3 rounds to even, up')
         call tap%ok(bits(decimal_type(1_i64, 23)) == int(z'44B52D02C7E14AF6', i64), &
             '1E23 is the double below it')
-        call tap%ok(bits(decimal_type(999999999999999999_i64, -18)) == bits(decimal_type(1_i64, 0)), &
+        call tap%ok(bits(decimal_type(999999999999999999_i64, -18)) == bits(decimal_type(1_i64, &
+            0)), &
             'eighteen nines round to one')
     end subroutine check_by_hand
 
@@ -68,9 +70,11 @@ contains
         call tap%near(grid%ordinate(0_i64), -30.0_dp, 0.0_dp, 'no step is the start')
         call tap%near(grid%ordinate(6_i64), 0.0_dp, 0.0_dp, 'six steps of 5 from -30 are 0')
         call tap%near(grid%steps_to(50.0_dp), 16.0_dp, 0.0_dp, 'it is 16 steps to 50')
-        call tap%near(grid%steps_to(-31.0_dp), -0.2_dp, 1.0e-15_dp, 'and a fifth of one back to -31')
+        call tap%near(grid%steps_to(-31.0_dp), -0.2_dp, 1.0e-15_dp, &
+            'and a fifth of one back to -31')
         call new_grid(decimal_type(18_i64, 0), decimal_type(-3638_i64, -3), grid, error)
-        call tap%near(grid%ordinate(2_i64), 10.724_dp, 0.0_dp, 'start and step may differ in decimals')
+        call tap%near(grid%ordinate(2_i64), 10.724_dp, 0.0_dp, &
+            'start and step may differ in decimals')
         call new_grid(decimal_type(12345678_i64, -3), decimal_type(1_i64, 3), grid, error)
         call tap%near(grid%ordinate(1_i64), 13345.678_dp, 0.0_dp, 'also the other way round')
         call new_grid(decimal_type(0_i64, -80), decimal_type(1_i64, 3), grid, error)
@@ -97,8 +101,8 @@ contains
             k = int(random%between(-1.0e5_dp, 1.0e5_dp), i64)
             call new_grid(start, step, grid, error)
             ! Whole numbers of 10**-5 below 10**17, exact, and one rounding of 113 bits.
-            exact = (start%digits*10.0_real128**(5 + start%power) &
-                + k*step%digits*10.0_real128**(5 + step%power))/10.0_real128**5
+            exact = (real(start%digits, real128)*10.0_real128**(5 + start%power) &
+                + real(k*step%digits, real128)*10.0_real128**(5 + step%power))/10.0_real128**5
             if (allocated(error)) then
                 wrong = wrong + 1
             else if (transfer(grid%ordinate(k), 0_i64) /= transfer(real(exact, dp), 0_i64)) then
@@ -128,9 +132,11 @@ contains
         if (allocated(error)) call tap%same(error%message, &
             'the increment and the first ordinate are too far apart in size to step exactly', &
             'with the reason')
-        call new_grid(decimal_type(999999999999999999_i64, 12), decimal_type(-999999999999999999_i64, 0), &
+        call new_grid(decimal_type(999999999999999999_i64, 12), &
+            decimal_type(-999999999999999999_i64, 0), &
             grid, error)
-        call tap%near(grid%ordinate(100000_i64), 999999999999999999.0e12_dp - 999999999999999999.0e5_dp, &
+        call tap%near(grid%ordinate(100000_i64), &
+            1.0e30_dp - 1.0e23_dp, &
             spacing(1.0e30_dp), 'eighteen figures and twelve zeros do not overflow')
     end subroutine check_bad_grids
 

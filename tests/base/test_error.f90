@@ -19,7 +19,8 @@ program test_error
         'a second failure takes the place of the first')
 
     number = transfer(cause_list(), number)
-    call tap%ok(all([(count(number == number(i)) == 1, i = 1, words)]), 'no two causes share a number')
+    call tap%ok(all([(count(number == number(i)) == 1, i = 1, words)]), &
+        'no two causes share a number')
     call tap%ok(all(number > 0), 'no cause has the number of no cause')
     call tap%finish()
 end program test_error

@@ -18,7 +18,8 @@ program test_fault
     call tap%same(fault%message, 'not so', 'a fault has its words')
     call tap%ok(fault%line == 0 .and. fault%card == '', 'a new fault stands on no card')
 
-    call tap%ok(list%count == 0 .and. .not. list%has_errors(0), 'a list begins empty, without errors')
+    call tap%ok(list%count == 0 .and. .not. list%has_errors(0), &
+        'a list begins empty, without errors')
     call list%clear()
     call tap%ok(list%count == 0, 'an empty list can be emptied')
     call list%add(fault)

@@ -12,7 +12,8 @@ program test_control_card
     character(*), parameter :: feed = new_line('a'), tab = achar(9)
     character(*), parameter :: u_umlaut = char(195)//char(188)
     character(*), parameter :: misplaced = ' stands in columns 1-5 and its text from column 9 on'
-    character(*), parameter :: no_unit = 'error 3:9-16 the unit is INCHES, MM or FEET, from column 9 on'
+    character(*), &
+        parameter :: no_unit = 'error 3:9-16 the unit is INCHES, MM or FEET, from column 9 on'
 
     call check_words()
     call check_titles()
@@ -26,9 +27,11 @@ contains
 
     !> What counts as a word.
     subroutine check_words()
-        call tap%ok(is_word('TITLE') .and. is_word('Line 5') .and. is_word('  end') .and. is_word('aa'), &
+        call tap%ok(is_word('TITLE') .and. is_word('Line 5') .and. is_word('  end') &
+            .and. is_word('aa'), &
             'two letters begin a word')
-        call tap%ok(.not. any([is_word('O.5'), is_word('-30.'), is_word('E5'), is_word('x 5'), is_word('5ab'), &
+        call tap%ok(.not. any([is_word('O.5'), is_word('-30.'), is_word('E5'), is_word('x 5'), &
+            is_word('5ab'), &
             is_word('        TITLE'), is_word('*comment'), is_word('       AB')]), &
             'a slip in a number does not, nor what stands behind column 8')
         call tap%same(word('title   x'), 'TITLE', 'a word is told in capitals')
@@ -44,10 +47,14 @@ contains
         call title('title   Nose  of ', 'Nose  of', '', 'in lower case its letters stay')
         call title('TITLE     INDENTED', '  INDENTED', '', 'blanks before it stay')
         call title('TITLE', '', '', 'a title may be blank')
-        call title('TITLE   B'//u_umlaut//'hne', 'B'//u_umlaut//'hne', '', 'letters beyond ASCII stay')
-        call title('TITLE NOSE', 'SE', 'error 3:1-8 the word TITLE'//misplaced, 'text too near is a fault')
-        call title(' TITLE  NOSE', 'NOSE', 'error 3:1-8 the word TITLE'//misplaced, 'so is a word set in')
-        call title('TITLE,NOSE', 'SE', 'error 3:1-8 the word TITLE'//misplaced, 'so is a comma')
+        call title('TITLE   B'//u_umlaut//'hne', 'B'//u_umlaut//'hne', '', &
+            'letters beyond ASCII stay')
+        call title('TITLE NOSE', 'SE', 'error 3:1-8 the word TITLE'//misplaced, &
+            'text too near is a fault')
+        call title(' TITLE  NOSE', 'NOSE', 'error 3:1-8 the word TITLE'//misplaced, &
+            'so is a word set in')
+        call title('TITLE,NOSE, LOWER', 'NOSE, LOWER', '', 'a comma behind the word is free field')
+        call title('TITLE   NOSE, LOWER', 'NOSE, LOWER', '', 'a comma in the text is not')
     end subroutine check_titles
 
     !> Titles to column 80 and beyond.
@@ -55,10 +62,12 @@ contains
         character(*), parameter :: long = 'text beyond column 80; shorten the title'
 
         call title('TITLE   '//repeat('x', 72), repeat('x', 72), '', '72 letters fit')
-        call title('TITLE   '//repeat('x', 73)//'  ', repeat('x', 72), 'error 3:81-81 '//long, '73 do not')
+        call title('TITLE   '//repeat('x', 73)//'  ', repeat('x', 72), 'error 3:81-81 '//long, &
+            '73 do not')
         call title('TITLE   '//repeat(u_umlaut, 72), repeat(u_umlaut, 72), '', &
             '72 letters of two bytes fit')
-        call title('TITLE   '//repeat(u_umlaut, 74), repeat(u_umlaut, 72), 'error 3:153-156 '//long, &
+        call title('TITLE   '//repeat(u_umlaut, 74), repeat(u_umlaut, 72), &
+            'error 3:153-156 '//long, &
             'of 74 the bytes of the last two are at fault')
         call title('TITLE   x'//repeat(' ', 2000), 'x', '', 'blanks do not count')
         call title('TITLE   x'//repeat(' ', 2000)//'y', 'x', 'error 3:81-2010 '//long, &
@@ -75,10 +84,12 @@ contains
         call unit('UNITS    MM', '', no_unit, 'or one a column off')
         call unit('UNITS   MM INCH', '', no_unit, 'or two')
         call unit('UNITS   MM      MILLIMETRES', 'MM', &
-            'error 3:17-27 text outside the columns; the unit stands in columns 9-16', 'text behind it is a fault')
+            'error 3:17-27 text outside the columns; the unit stands in columns 9-16', &
+            'text behind it is a fault')
         call unit('UNITS MM', '', 'error 3:1-8 the word UNITS'//misplaced//feed//no_unit, &
             'a unit too near is two')
-        call unit(' UNITS  MM', 'MM', 'error 3:1-8 the word UNITS'//misplaced, 'a word set in is a fault')
+        call unit(' UNITS  MM', 'MM', 'error 3:1-8 the word UNITS'//misplaced, &
+            'a word set in is a fault')
     end subroutine check_units
 
     !> A second card of a kind.
@@ -87,7 +98,8 @@ contains
         type(fault_list_type) :: faults
 
         call read_heading_card(line_of('TITLE   ONE'), heading, faults)
-        call tap%ok(heading%has_title .and. .not. heading%has_units, 'a title card is no units card')
+        call tap%ok(heading%has_title .and. .not. heading%has_units, &
+            'a title card is no units card')
         call read_heading_card(line_of('UNITS   MM'), heading, faults)
         call tap%same(said(faults), '', 'one of each is well')
         call read_heading_card(line_of('TITLE   TWO'), heading, faults)
@@ -100,10 +112,12 @@ contains
 
     !> Tabs and control bytes: one fault says it, and nothing is taken from the card.
     subroutine check_control_bytes()
-        character(*), parameter :: words = ' a tab or control byte on a card; put blanks in its place'
+        character(*), &
+            parameter :: words = ' a tab or control byte on a card; put blanks in its place'
 
         call title('TITLE'//tab//'NOSE', '(none)', 'error 3:6-6'//words, 'a tab is a fault')
-        call title('TITLE   A'//achar(27)//'[1m', '(none)', 'error 3:10-10'//words, 'so is an escape')
+        call title('TITLE   A'//achar(27)//'[1m', '(none)', 'error 3:10-10'//words, &
+            'so is an escape')
         call title('TITLE   A'//achar(127), '(none)', 'error 3:10-10'//words, 'or a delete')
         call unit('UNITS'//tab//'MM', '', 'error 3:6-6'//words, 'also on a units card')
     end subroutine check_control_bytes

@@ -17,10 +17,13 @@ program test_layout
     do i = 1, 11
         call tap%ok(conic_fields(i)%first == first(i) .and. conic_fields(i)%last == last(i) .and. &
             conic_fields(i)%form == forms(i:i) .and. conic_fields(i)%decimals == decimals(i) .and. &
-            conic_fields(i)%name == names(i), 'the field '//trim(names(i))//' is as the paper has it')
+            conic_fields(i)%name == names(i), 'the field '//trim(names(i))// &
+            ' is as the paper has it')
     end do
-    call tap%ok(all([conic%x1, conic%y1, conic%s1, conic%x2, conic%y2, conic%x3, conic%y3, conic%s3, &
-        conic%xi, conic%yi, conic%ityp] == [(i, i = 1, 11)]), 'the fields have their names in order')
+    call tap%ok(all([conic%x1, conic%y1, conic%s1, conic%x2, conic%y2, conic%x3, conic%y3, &
+        conic%s3, &
+        conic%xi, conic%yi, conic%ityp] == [(i, i = 1, 11)]), &
+        'the fields have their names in order')
     call tap%ok(conic_fields(11)%last == last_read_column, 'ITYP is the last that is read')
     call tap%ok(card_columns == 80, 'a card has 80 columns')
     call check_word_card(title_fields, 80, 'TITLE')

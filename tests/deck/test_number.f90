@@ -31,13 +31,15 @@ contains
         call value('-.5', 3, -5_i64, -1, 'nor between sign and point')
         call value('+7.', 3, 7_i64, 0, 'a plus sign')
         call value('- 7.', 3, -7_i64, 0, 'a blank behind the sign is nothing')
-        call value('     -30', 3, -30_i64, -3, 'without a point the last three columns are decimals')
+        call value('     -30', 3, -30_i64, -3, &
+            'without a point the last three columns are decimals')
         call value('   12345', 5, 12345_i64, -5, 'or the last five')
         call value('00001.50', 3, 150_i64, -2, 'zeros in front are nothing')
         call value('        ', 3, 0_i64, 0, 'a blank field is zero')
         call value('    -0.0', 3, 0_i64, 0, 'minus zero is zero')
         call value('', 3, 0_i64, 0, 'a field of no columns is zero')
-        call tap%ok(is_blank('   ') .and. .not. is_blank(' 0 '), 'a blank field is told from a zero')
+        call tap%ok(is_blank('   ') .and. .not. is_blank(' 0 '), &
+            'a blank field is told from a zero')
         call tap%ok(has_point('1.') .and. .not. has_point('1'), 'a punched point is seen')
         call value('999999999999999999', 0, 999999999999999999_i64, 0, 'eighteen figures are read')
         call value('000000000000000000000000012', 0, 12_i64, 0, 'zeros in front are no figures')
@@ -53,7 +55,8 @@ contains
         call tap%ok(filled('5 ') .and. filled('1 2') .and. filled('1 .') .and. filled('1. 5') &
             .and. filled('. 5') .and. filled('1 E2') .and. filled('1.E2 '), &
             'blanks that change the number are seen')
-        call tap%ok(.not. any([filled('5'), filled(' 5'), filled('5.  '), filled('- 5'), filled('0 5'), &
+        call tap%ok(.not. any([filled('5'), filled(' 5'), filled('5.  '), filled('- 5'), &
+            filled('0 5'), &
             filled('1.  E2'), filled('1.E 2'), filled('1.E+ 2'), filled('0. ')]), &
             'blanks that do not are not')
     end subroutine check_blanks
@@ -80,7 +83,8 @@ contains
         call refused('1E', -1, 2, 2, 'an exponent in a whole number')
         call refused('1+', -1, 2, 2, 'a sign inside the number')
         call refused(' -', -1, 2, 2, 'there is no figure in the number')
-        call refused(' Y', -1, 2, 2, '''Y'' in a number; figures, a sign, a point and an exponent are read')
+        call refused(' Y', -1, 2, 2, &
+            '''Y'' in a number; figures, a sign, a point and an exponent are read')
     end subroutine check_whole
 
     !> Slips of the key.
@@ -112,18 +116,23 @@ contains
                 ''' in a number; figures, a sign, a point and an exponent are read')
         end do
         call refused('12'//achar(9), 3, 3, 3, &
-            'byte 09 (hexadecimal) in a number; only plain ASCII figures, signs and points are read')
+            'byte 09 (hexadecimal) in a number; only plain ASCII figures, signs and points '// &
+            'are read')
         call refused(char(226)//char(136)//char(146)//'5.', 3, 1, 1, &
-            'byte E2 (hexadecimal) in a number; only plain ASCII figures, signs and points are read')
+            'byte E2 (hexadecimal) in a number; only plain ASCII figures, signs and points '// &
+            'are read')
         call refused('1'//achar(127), 3, 2, 2, &
-            'byte 7F (hexadecimal) in a number; only plain ASCII figures, signs and points are read')
+            'byte 7F (hexadecimal) in a number; only plain ASCII figures, signs and points '// &
+            'are read')
         call refused(char(255), 3, 1, 1, &
-            'byte FF (hexadecimal) in a number; only plain ASCII figures, signs and points are read')
+            'byte FF (hexadecimal) in a number; only plain ASCII figures, signs and points '// &
+            'are read')
     end subroutine check_strangers
 
     !> Exponents that are none.
     subroutine check_bad_exponents()
-        character(*), parameter :: homeless = 'the exponent letter stands where no figure is before it'
+        character(*), &
+            parameter :: homeless = 'the exponent letter stands where no figure is before it'
 
         call refused('1.5E', 3, 4, 4, 'the exponent has no figures')
         call refused('1.5E    ', 3, 4, 4, 'the exponent has no figures')
@@ -177,7 +186,8 @@ contains
                 if (wrong < 5) call tap%note('field ['//field//']')
             end if
         end do
-        call tap%ok(wrong == 0 .and. sound > 50000, 'random fields are read as the runtime reads them')
+        call tap%ok(wrong == 0 .and. sound > 50000, &
+            'random fields are read as the runtime reads them')
     end subroutine check_against_runtime
 
     !> A field that is a number: digits and power of ten. Zeros may stand behind them.
@@ -192,7 +202,7 @@ contains
         number = read_number(field, implied)
         finer = max(0, power - number%value%power)
         call tap%ok(number%first == 0 .and. number%value%power + finer == power .and. &
-            number%value%digits == digits*10_i64**finer, name//' ['//field//']')
+            number%value%digits == digits*10_i64**int(finer, i64), name//' ['//field//']')
     end subroutine value
 
     !> A field that is no number: which characters are at fault and what is said. Without words any
@@ -210,7 +220,8 @@ contains
             return
         end if
         call tap%ok((first == 0 .or. number%first == first .and. number%last == last) &
-            .and. number%value%digits == 0 .and. number%value%power == 0, 'no number: ['//field//']')
+            .and. number%value%digits == 0 .and. number%value%power == 0, &
+            'no number: ['//field//']')
         if (words /= '') call tap%same(number%trouble, words, 'what is said of ['//field//']')
     end subroutine refused
 

@@ -19,6 +19,7 @@ program test_source
     call check_nulls()
     call check_lengths()
     call check_file()
+    call check_put_back()
     call check_trouble()
     call tap%finish()
 
@@ -36,10 +37,13 @@ contains
 
     !> Carriage returns and the byte order mark.
     subroutine check_ends()
-        call reads('a'//cr//feed//'b'//cr//feed, '1:a|2:b|', 'a carriage return before the line feed goes')
-        call reads('a'//cr//feed//cr//feed//'b'//cr, '1:a|2:|3:b|', 'also on an empty line and at the end')
+        call reads('a'//cr//feed//'b'//cr//feed, '1:a|2:b|', &
+            'a carriage return before the line feed goes')
+        call reads('a'//cr//feed//cr//feed//'b'//cr, '1:a|2:|3:b|', &
+            'also on an empty line and at the end')
         call reads('a'//cr//'b'//feed, '1:a'//cr//'b|', 'one inside a line stays')
-        call reads(mark//'a'//feed//mark//'b', '1:a|2:'//mark//'b|', 'a byte order mark goes, but only in front')
+        call reads(mark//'a'//feed//mark//'b', '1:a|2:'//mark//'b|', &
+            'a byte order mark goes, but only in front')
         call reads(mark, '1:|', 'a byte order mark alone is an empty line')
         call reads(mark//cr//feed//'a', '1:|2:a|', 'so it is with an empty line behind')
         call reads('a'//mark, '1:a'//mark//'|', 'within a line it is text')
@@ -61,16 +65,19 @@ contains
 
     !> Long lines: what is kept, what is counted.
     subroutine check_lengths()
-        call measures(repeat('x', kept_length), kept_length, kept_length, kept_length, 'of what is just kept')
+        call measures(repeat('x', kept_length), kept_length, kept_length, kept_length, &
+            'of what is just kept')
         call measures(repeat('x', kept_length)//cr, kept_length, kept_length + 1, kept_length + 1, &
             'with a carriage return just past it')
         call measures(repeat('x', 100000), kept_length, 100000, 100000, 'of 100000 characters')
         call measures('x'//repeat(' ', 99999), kept_length, 100000, 1, 'of a character and blanks')
-        call measures(repeat(' ', 99999)//'x', kept_length, 100000, 100000, 'of blanks and a character')
+        call measures(repeat(' ', 99999)//'x', kept_length, 100000, 100000, &
+            'of blanks and a character')
         call measures(repeat(' ', 100000), kept_length, 100000, 0, 'of blanks')
         call measures('  x  '//cr, 5, 5, 3, 'with a carriage return behind blanks')
         call measures(mark//' x ', 3, 3, 2, 'with a byte order mark')
-        call measures(repeat(' ', 3000)//null, kept_length, 3001, 3001, 'with a null byte far behind')
+        call measures(repeat(' ', 3000)//null, kept_length, 3001, 3001, &
+            'with a null byte far behind')
     end subroutine check_lengths
 
     !> A file that is read in several blocks, cut anywhere.
@@ -91,15 +98,18 @@ contains
         good = .true.
         do i = 1, 500
             call source%next_line(line, found, error)
-            good = good .and. found .and. .not. allocated(error) .and. line%text == 'card '//to_text(i) &
+            good = good .and. found .and. .not. allocated(error) &
+                .and. line%text == 'card '//to_text(i) &
                 .and. len(line%text) == len('card '//to_text(i)) .and. line%number == int(i, i64)
         end do
         call tap%ok(good, 'lines before a long one are whole')
         call source%next_line(line, found, error)
         call tap%ok(found .and. line%length == 100000_i64 .and. line%filled == 99997 .and. &
-            line%text == repeat('x', kept_length), 'of a line of 100000 characters the start is kept')
+            line%text == repeat('x', kept_length), &
+            'of a line of 100000 characters the start is kept')
         call source%next_line(line, found, error)
-        call tap%ok(found .and. line%length == 0_i64 .and. line%number == 502_i64, 'the line behind it is empty')
+        call tap%ok(found .and. line%length == 0_i64 .and. line%number == 502_i64, &
+            'the line behind it is empty')
         do i = 501, 20000
             call source%next_line(line, found, error)
             good = good .and. found .and. line%text == 'card '//to_text(i) &
@@ -132,6 +142,33 @@ contains
         call out%flush(error)
         ignored = c_close(descriptor)
     end subroutine write_lines
+
+    !> Lines put back are read again, the last first.
+    subroutine check_put_back()
+        type(source_type) :: source
+        type(line_type) :: first, second, line
+        type(error_type), allocatable :: error
+        logical :: found
+
+        call source%from_text('a'//feed//'b'//feed//'c')
+        call source%next_line(first, found, error)
+        call source%next_line(second, found, error)
+        call source%put_back(second)
+        call source%put_back(first)
+        call source%next_line(line, found, error)
+        call tap%ok(found .and. line%text == 'a' .and. line%number == 1, &
+            'a line put back comes again')
+        call source%next_line(line, found, error)
+        call tap%ok(found .and. line%text == 'b' .and. line%number == 2, 'then the one before it')
+        call source%next_line(line, found, error)
+        call tap%ok(found .and. line%text == 'c' .and. line%number == 3, &
+            'then what follows in the file')
+        call source%put_back(line)
+        call source%next_line(line, found, error)
+        call tap%ok(found .and. line%text == 'c', 'the last line may be put back')
+        call source%next_line(line, found, error)
+        call tap%ok(.not. found, 'and is then the last again')
+    end subroutine check_put_back
 
     !> Descriptors that can't be read.
     subroutine check_trouble()

@@ -10,19 +10,24 @@ program test_card_reference
     character(:), allocatable :: text
     character(*), parameter :: feed = new_line('a')
     character(21), parameter :: rows(11) = [character(21) :: &
-        '  1-8  X1     F8.3 ', ' 9-16  Y1     F8.3 ', '17-24  S1     F8.5 ', '25-32  X2     F8.3 ', &
-        '33-40  Y2     F8.3 ', '41-48  X3     F8.3 ', '49-56  Y3     F8.3 ', '57-64  S3     F8.5 ', &
+        '  1-8  X1     F8.3 ', ' 9-16  Y1     F8.3 ', '17-24  S1     F8.5 ', &
+        '25-32  X2     F8.3 ', &
+        '33-40  Y2     F8.3 ', '41-48  X3     F8.3 ', '49-56  Y3     F8.3 ', &
+        '57-64  S3     F8.5 ', &
         '65-70  XI     F6.3 ', '71-76  YI     F6.3 ', '77-78  ITYP   I2   ']
     integer :: i, next
 
     call print_card_reference(out)
     text = out%text()
     do i = 1, size(rows)
-        call tap%ok(index(text, '  '//trim(rows(i))//' ') > 0, 'the field'//rows(i)(6:12)//' has its columns and format')
+        call tap%ok(index(text, '  '//trim(rows(i))//' ') > 0, &
+            'the field'//rows(i)(6:12)//' has its columns and format')
     end do
     call tap%ok(index(text, 'Columns 79-80 are free') > 0, 'the sequence number is mentioned')
-    call tap%ok(index(text, feed//'TITLE') > 0 .and. index(text, '9-80  TEXT   A72') > 0, 'TITLE is there')
-    call tap%ok(index(text, feed//'UNITS') > 0 .and. index(text, '9-16  UNIT   A8') > 0, 'UNITS is there')
+    call tap%ok(index(text, feed//'TITLE') > 0 .and. index(text, '9-80  TEXT   A72') > 0, &
+        'TITLE is there')
+    call tap%ok(index(text, feed//'UNITS') > 0 .and. index(text, '9-16  UNIT   A8') > 0, &
+        'UNITS is there')
     call tap%ok(index(text, ' '//feed) == 0, 'no line ends with blanks')
     i = 1
     do

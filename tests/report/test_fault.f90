@@ -9,7 +9,8 @@ program test_fault
 
     type(tap_type) :: tap
     character(*), parameter :: feed = new_line('a')
-    character(*), parameter :: card = '-30.    -10.    .114    -30.    -10.    50.     -4.     .0523   5.'
+    character(*), &
+        parameter :: card = '-30.    -10.    .114    -30.    -10.    50.     -4.     .0523   5.'
 
     call check_whole_text()
     call check_severities()
@@ -24,12 +25,14 @@ contains
     subroutine check_whole_text()
         call tap%same(printed(severity%error, 7_i64, [25, 40], card), &
             'nose.crd:7:25-40: error: wrong'//feed//'    '//card//feed// &
-            '                            ^^^^^^^^^^^^^^^^'//feed, 'carets stand under the columns at fault')
+            '                            ^^^^^^^^^^^^^^^^'//feed, &
+            'carets stand under the columns at fault')
         call tap%same(printed(severity%error, 12345678901_i64, [1, 1], 'x'), &
             'nose.crd:12345678901:1-1: error: wrong'//feed//'    x'//feed//'    ^'//feed, &
             'one column, on a line far down')
         call tap%same(printed(severity%error, 1_i64, [9, 16], 'UNITS'), &
-            'nose.crd:1:9-16: error: wrong'//feed//'    UNITS'//feed//'            ^^^^^^^^'//feed, &
+            'nose.crd:1:9-16: error: wrong'//feed//'    UNITS'//feed//'            ^^^^^^^^'// &
+            feed, &
             'columns behind the end of the card')
         call tap%same(printed(severity%error, 1_i64, [1, 4], 'LINE   '), &
             'nose.crd:1:1-4: error: wrong'//feed//'    LINE'//feed//'    ^^^^'//feed, &
@@ -57,19 +60,23 @@ contains
 
     !> Faults of a whole card or a whole file.
     subroutine check_places()
-        call tap%same(printed(severity%warning, 3_i64, [0, 0], card), 'nose.crd:3: warning: wrong'//feed// &
+        call tap%same(printed(severity%warning, 3_i64, [0, 0], card), &
+            'nose.crd:3: warning: wrong'//feed// &
             '    '//card//feed, 'a fault of a whole card shows it without carets')
-        call tap%same(printed(severity%error, 3_i64, [0, 0], ''), 'nose.crd:3: error: wrong'//feed, &
+        call tap%same(printed(severity%error, 3_i64, [0, 0], ''), &
+            'nose.crd:3: error: wrong'//feed, &
             'without card only its line is named')
         call tap%same(printed(severity%error, 0_i64, [0, 0], ''), 'nose.crd: error: wrong'//feed, &
             'a fault of the file names the file')
-        call tap%same(printed(severity%error, 3_i64, [3, 3], ''), 'nose.crd:3:3-3: error: wrong'//feed, &
+        call tap%same(printed(severity%error, 3_i64, [3, 3], ''), &
+            'nose.crd:3:3-3: error: wrong'//feed, &
             'columns of a card that is not shown have no carets')
     end subroutine check_places
 
     !> What is not plain ASCII takes one column a byte.
     subroutine check_bytes()
-        call tap%same(printed(severity%error, 1_i64, [5, 5], 'a'//char(195)//char(188)//achar(9)//'b'), &
+        call tap%same(printed(severity%error, 1_i64, [5, 5], &
+            'a'//char(195)//char(188)//achar(9)//'b'), &
             'nose.crd:1:5-5: error: wrong'//feed//'    a???b'//feed//'        ^'//feed, &
             'two bytes of a letter and a tab are three columns')
         call tap%same(printed(severity%error, 1_i64, [1, 4], ' ~'//achar(127)//achar(27)), &
@@ -81,14 +88,17 @@ contains
     subroutine check_long_cards()
         character(*), parameter :: long = repeat('x', 500)
 
-        call tap%same(printed(severity%error, 1_i64, [81, 500], long), 'nose.crd:1:81-500: error: wrong'//feed// &
+        call tap%same(printed(severity%error, 1_i64, [81, 500], long), &
+            'nose.crd:1:81-500: error: wrong'//feed// &
             '    '//long(:132)//feed//'    '//repeat(' ', 80)//repeat('^', 52)//feed, &
             '132 columns are shown, and carets as far')
         call tap%same(printed(severity%error, 1_i64, [200, 300], long), &
             'nose.crd:1:200-300: error: wrong'//feed//'    '//long(:132)//feed, &
             'columns behind those have no carets')
-        call tap%same(printed(severity%error, 1_i64, [132, 133], long), 'nose.crd:1:132-133: error: wrong'//feed// &
-            '    '//long(:132)//feed//'    '//repeat(' ', 131)//'^'//feed, 'the last column shown has one')
+        call tap%same(printed(severity%error, 1_i64, [132, 133], long), &
+            'nose.crd:1:132-133: error: wrong'//feed// &
+            '    '//long(:132)//feed//'    '//repeat(' ', 131)//'^'//feed, &
+            'the last column shown has one')
     end subroutine check_long_cards
 
     !> The text of one fault.

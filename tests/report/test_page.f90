@@ -30,8 +30,10 @@ contains
         call page%set_heading('NOSE', 'nose.crd', 'INCHES')
         call page%line(out, 'FIRST LINE  ')
         call tap%same(out%text(), 'NOSE'//repeat(' ', 70)//'PAGE 1'//feed// &
-            'nose.crd'//repeat(' ', 32)//'INCHES'//repeat(' ', 80 - 46 - 5 - len(version))//'LOFT '//version// &
-            feed//feed//'FIRST LINE'//feed, 'title, page, deck, unit and version stand above the first line')
+            'nose.crd'//repeat(' ', 32)//'INCHES'//repeat(' ', &
+            80 - 46 - 5 - len(version))//'LOFT '//version// &
+            feed//feed//'FIRST LINE'//feed, &
+            'title, page, deck, unit and version stand above the first line')
     end subroutine check_heading
 
     !> 200 lines on pages of 60.
@@ -49,9 +51,11 @@ contains
         call tap%ok(count_of(text, '<') == 200, 'no line is lost or printed twice')
         call tap%ok(count_of(text, form_feed) == 3 .and. count_of(text, 'PAGE') == 4, &
             '57 lines fit a page; a form feed stands between two')
-        call tap%ok(index(text, '<57>'//feed//form_feed) > 0 .and. index(text, '<171>'//feed//form_feed) > 0, &
+        call tap%ok(index(text, '<57>'//feed//form_feed) > 0 .and. index(text, &
+            '<171>'//feed//form_feed) > 0, &
             'the pages turn when they are full')
-        call tap%ok(index(text, 'PAGE 4') > index(text, '<171>') .and. index(text, 'PAGE 4') < index(text, '<172>'), &
+        call tap%ok(index(text, 'PAGE 4') > index(text, '<171>') .and. index(text, &
+            'PAGE 4') < index(text, '<172>'), &
             'pages are numbered')
         call tap%ok(count_of(text, feed) == 200 + 4*3, 'every page has its three lines of heading')
         call page%set_heading('', 'nose.crd', '')
@@ -65,7 +69,8 @@ contains
         call page%blank(out)
         call page%line(out, 'LAST')
         text = out%text()
-        call tap%ok(index(text(last:), 'NEXT'//feed//feed//'LAST'//feed) > 0, 'a blank line elsewhere is not')
+        call tap%ok(index(text(last:), 'NEXT'//feed//feed//'LAST'//feed) > 0, &
+            'a blank line elsewhere is not')
     end subroutine check_turning
 
     !> Column headings come again on every page until they are ended.
@@ -81,7 +86,8 @@ contains
             call page%line(out, '<'//to_text(i)//'>')
         end do
         text = out%text()
-        call tap%ok(count_of(text, '  X    Y'//feed//'UPPER'//feed) == 2, 'a column heading stands on each of two pages')
+        call tap%ok(count_of(text, '  X    Y'//feed//'UPPER'//feed) == 2, &
+            'a column heading stands on each of two pages')
         call tap%ok(index(text, '<55>'//feed//form_feed) > 0 .and. count_of(text, '<') == 100, &
             'beside it 55 lines fit')
         call page%end_columns()
@@ -98,7 +104,8 @@ contains
             call page%line(out, 'y')
         end do
         text = out%text()
-        call tap%ok(count_of(text, 'OTHER') == 2 .and. index(text, 'LOWER', back=.true.) < index(text, 'OTHER'), &
+        call tap%ok(count_of(text, 'OTHER') == 2 .and. index(text, 'LOWER', &
+            back=.true.) < index(text, 'OTHER'), &
             'a new heading takes the place of the old')
     end subroutine check_columns
 
@@ -139,8 +146,10 @@ contains
     subroutine check_long_headings()
         call tap%ok(all(heading_widths(repeat('T', 72), 'nose.crd', 'INCHES', 99) == 80), &
             'a title of 72 letters leaves room for 99 pages')
-        call tap%ok(all(heading_widths(repeat('T', 72), 'nose.crd', 'INCHES', 101) == 80), 'or is cut for more')
-        call tap%ok(all(heading_widths(repeat(u_umlaut, 72), repeat(u_umlaut, 300), 'MM', 1) == 80), &
+        call tap%ok(all(heading_widths(repeat('T', 72), 'nose.crd', 'INCHES', 101) == 80), &
+            'or is cut for more')
+        call tap%ok(all(heading_widths(repeat(u_umlaut, 72), repeat(u_umlaut, 300), 'MM', &
+            1) == 80), &
             'letters of two bytes count once, and a long name is cut')
         call tap%ok(all(heading_widths('', repeat('d', 50), 'INCHES', 1) == 80), &
             'a name past the middle moves the unit on')

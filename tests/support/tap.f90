@@ -34,7 +34,8 @@ contains
         character(*), intent(in) :: name      !! the check as a phrase
         tap%run = tap%run + 1
         if (.not. passed) tap%failed = tap%failed + 1
-        write (output_unit, '(a,i0,2a)') trim(merge('ok    ', 'not ok', passed))//' ', tap%run, ' - ', name
+        write (output_unit, '(a,i0,2a)') trim(merge('ok    ', 'not ok', passed))//' ', tap%run, &
+            ' - ', name
     end subroutine ok
 
     !> Counts a check that two texts are the same, and shows both where they are not.
@@ -73,7 +74,8 @@ contains
         if (tap%run >= 0) write (output_unit, '(a)', advance='no') '# '
         do i = 1, len(text)
             write (output_unit, '(a)', advance='no') text(i:i)
-            if (text(i:i) == new_line('a') .and. i < len(text)) write (output_unit, '(a)', advance='no') '# '
+            if (text(i:i) /= new_line('a') .or. i == len(text)) cycle
+            write (output_unit, '(a)', advance='no') '# '
         end do
         write (output_unit, '(a)') ''
     end subroutine note
