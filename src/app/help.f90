@@ -29,7 +29,7 @@ contains
         case ('plot')
             call print_plot(out)
         case ('cards')
-            call print_cards(out)
+            call print_card_reference(out)
         case ('help')
             call print_lines([character(64) :: 'loft help [TOPIC]', '', &
                 'TOPIC is run, check, plot or cards; none gives the overview.'], out)
@@ -106,19 +106,6 @@ contains
             '  --format F      svg (the default), pdf, png, or txt for a terminal', '', &
             'Without gnuplot the data and scripts are written all the same.'], out)
     end subroutine print_plot
-
-    !> Prints the card reference with the rules of reading.
-    subroutine print_cards(out)
-        type(output_type), intent(inout) :: out !! where it goes
-        call print_card_reference(out)
-        call print_lines([character(80) :: '', &
-            'F fields: a punched point wins; without one the last columns are decimals', &
-            '(-30 in F8.3 is -.030). A blank field is zero; a blank behind the first', &
-            'figure is a zero. An exponent is E, D or a sign and figures: 1.5E2, 15.+1.', '', &
-            '* in column 1 is a comment; right before a conic card it names the card.', &
-            'Blank cards are passed over. TITLE and UNITS stand before the first conic', &
-            'card. X1 of 999.99 or more, or the end of the file, ends the deck.'], out)
-    end subroutine print_cards
 
     !> Prints lines without the blanks at their ends.
     subroutine print_lines(lines, out)

@@ -1,7 +1,11 @@
-!> The card reference: every card with its columns, printed from the table the reader uses.
+!> The card reference: every card with its columns, printed from the tables the readers use, and the
+!> rules of reading. `loft help cards` prints it and `doc/cards.md` contains it.
 module report_card_reference
     use base_output, only: output_type
     use base_text, only: right, to_text
+    use deck_body_card, only: field_width, fields_across
+    use deck_body_fields, only: fields_of, form_words
+    use deck_body_layout, only: body_field_type, body_layout, body_layout_type, need, option_words
     use deck_layout, only: conic_fields, field_layout_type, title_fields, units_fields
     implicit none (type, external)
     private
@@ -10,19 +14,68 @@ module report_card_reference
 
 contains
 
-    !> Prints the columns of every card.
+    !> Prints the reference.
     subroutine print_card_reference(out)
         type(output_type), intent(inout) :: out !! where it goes
+        integer :: i
 
-        call print_layout('The conic card of a 1970 deck', conic_fields, out)
-        call out%line('Columns 79-80 are free for a sequence number.')
-        call out%line('')
+        call print_deck_rules(out)
         call print_layout('TITLE', title_fields, out)
         call out%line('')
         call print_layout('UNITS', units_fields, out)
+        call out%line('')
+        call out%line('THE 1970 DECK')
+        call out%line('')
+        call print_layout('The conic card of a 1970 deck', conic_fields, out)
+        call print_conic_rules(out)
+        call out%line('THE BODY DECK')
+        call out%line('')
+        call print_body_rules(out)
+        do i = 1, size(body_layout)
+            call out%line('')
+            call print_body_layout(body_layout(i), fields_of(i), out)
+        end do
+        call out%line('')
+        call print_options(out)
     end subroutine print_card_reference
 
-    !> Prints the columns of one card.
+    !> Prints what holds for decks of both kinds.
+    subroutine print_deck_rules(out)
+        type(output_type), intent(inout) :: out !! where it goes
+        call print_lines([character(80) :: &
+            'A card has 80 columns. * in column 1 is a comment; blank cards are passed over.', &
+            'The first card that is not blank, a comment, TITLE or UNITS decides: a number', &
+            'or nothing in its first field makes a 1970 deck, a word a body deck.', ''], out)
+    end subroutine print_deck_rules
+
+    !> Prints how the conic card of 1970 is read.
+    subroutine print_conic_rules(out)
+        type(output_type), intent(inout) :: out !! where it goes
+        call print_lines([character(80) :: &
+            'Columns 79-80 are free for a sequence number.', '', &
+            'F fields: a punched point wins; without one the last columns are decimals', &
+            '(-30 in F8.3 is -.030). A blank field is zero; a blank behind the first', &
+            'figure is a zero. An exponent is E, D or a sign and figures: 1.5E2, 15.+1.', '', &
+            'A comment right before a conic card names the card. TITLE and UNITS stand', &
+            'before the first conic card. X1 of 999.99 or more, or the end of the file,', &
+            'ends the deck.', ''], out)
+    end subroutine print_conic_rules
+
+    !> Prints how the cards of a body deck are read.
+    subroutine print_body_rules(out)
+        type(output_type), intent(inout) :: out !! where it goes
+        call print_lines([character(80) :: &
+            'A card has ten fields of eight columns; field 1 is columns 1-8. A card with a', &
+            'comma in it has the same fields in the same order between commas, and up to', &
+            '132 columns. A card with + alone in field 1 continues the one before: its', &
+            'field 2 follows the last field of that one (field 11 where it went by columns).', '', &
+            'A number is what it reads as: -30 is -30. A blank field is nothing, not zero.', &
+            'A name has up to 8 letters, figures and signs - _ . / and begins with a letter;', &
+            'capitals or not is the same. A name is used after the card that gives it.', &
+            'Fields in brackets may be left blank.'], out)
+    end subroutine print_body_rules
+
+    !> Prints the columns of one card of either kind of deck.
     subroutine print_layout(name, fields, out)
         character(*), intent(in) :: name                 !! what the card is called
         type(field_layout_type), intent(in) :: fields(:) !! its fields
@@ -34,8 +87,9 @@ contains
         call out%line('  columns  field  form   unit       meaning')
         do i = 1, size(fields)
             associate (field => fields(i))
-                call out%line('  '//right(to_text(field%first)//'-'//to_text(field%last), 7)//'  '// &
-                    field%name//'  '//form_text(field)//'  '//field%unit//'  '//trim(field%meaning))
+                call out%line('  '//right(to_text(field%first)//'-'//to_text(field%last), 7)// &
+                    '  '//field%name//'  '//form_text(field)//'  '//field%unit//'  '// &
+                    trim(field%meaning))
             end associate
         end do
     end subroutine print_layout
@@ -47,5 +101,78 @@ contains
         text = field%form//to_text(field%last - field%first + 1)
         if (field%form == 'F') text = trim(text)//'.'//to_text(field%decimals)
     end function form_text
+
+    !> Prints one card of a body deck.
+    subroutine print_body_layout(layout, field, out)
+        type(body_layout_type), intent(in) :: layout    !! the card
+        type(body_field_type), intent(in) :: field(:)   !! its fields
+        type(output_type), intent(inout) :: out         !! where it goes
+        character(:), allocatable :: name
+        integer :: i
+
+        name = trim(layout%word)
+        if (name == '') name = '(numbers)'
+        if (layout%second /= '') name = name//' '//trim(layout%second)
+        call out%line(name//': '//trim(layout%meaning))
+        if (size(field) > 0) call out%line('')
+        if (size(field) > 0) call out%line('  field  columns  name      holds     unit       meaning')
+        do i = 1, size(field)
+            call out%line(field_line(field(i)))
+        end do
+        if (layout%options /= '') call out%line('  behind  options: '//trim(layout%options))
+    end subroutine print_body_layout
+
+    !> One field of a card of a body deck.
+    pure function field_line(field) result(text)
+        type(body_field_type), intent(in) :: field !! the field
+        character(:), allocatable :: text
+        character(8) :: name, holds
+
+        name = field%name
+        if (field%need == need%optional) name = '['//trim(field%name)//']'
+        if (field%need == need%repeated) name = trim(field%name)//'...'
+        holds = form_words(field)
+        text = '  '//right(to_text(field%field), 5)//'  '//right(columns_text(field%field), 7)// &
+            '  '//name//'  '//holds//'  '//field%unit//'  '
+        text = text//trim(field%words)
+        if (field%words /= '' .and. field%meaning /= '') text = text//': '
+        text = text//trim(field%meaning)
+    end function field_line
+
+    !> The columns of a field: `9-16`, or `+9-16` on a continuation.
+    pure function columns_text(number) result(text)
+        integer, intent(in) :: number !! which field, from 1
+        character(:), allocatable :: text
+        integer :: place
+
+        place = number
+        text = ''
+        if (number > fields_across) then
+            place = number - fields_across + 1
+            text = '+'
+        end if
+        text = text//to_text(field_width*(place - 1) + 1)//'-'//to_text(field_width*place)
+    end function columns_text
+
+    !> Prints the option words of data cards.
+    subroutine print_options(out)
+        type(output_type), intent(inout) :: out !! where it goes
+        integer :: i
+        call out%line('Options of data cards, in any order in the fields behind the last number')
+        call out%line('')
+        do i = 1, size(option_words)
+            call out%line('  '//option_words(i)%word//'  '//trim(option_words(i)%meaning))
+        end do
+    end subroutine print_options
+
+    !> Prints lines without the blanks at their ends.
+    subroutine print_lines(lines, out)
+        character(*), intent(in) :: lines(:)    !! the lines
+        type(output_type), intent(inout) :: out !! where they go
+        integer :: i
+        do i = 1, size(lines)
+            call out%line(trim(lines(i)))
+        end do
+    end subroutine print_lines
 
 end module report_card_reference
