@@ -1,9 +1,9 @@
-!> `make bench`: how long LOFT takes beside the obvious Fortran program for the same deck, which reads
-!> the cards with list-directed READ, solves the five equations, takes the nearer root and prints
-!> abscissa, ordinate, slope, angle and radius of curvature with formatted WRITE.
+!> `make bench`: how long LOFT takes beside the obvious Fortran program for the same deck, which
+!> reads the cards with list-directed READ, solves the five equations, takes the nearer root and
+!> prints abscissa, ordinate, slope, angle and radius of curvature with formatted WRITE.
 !>
-!> Both are run in turn, each in its own process with its output to /dev/null; shown is the median of
-!> the ratios of five turns. Called as `bench obvious DECK` it is the obvious program.
+!> Both are run in turn, each in its own process with its output to /dev/null; shown is the median
+!> of the ratios of five turns. Called as `bench obvious DECK` it is the obvious program.
 program bench
     use, intrinsic :: iso_fortran_env, only: error_unit, output_unit
     use base_constants, only: degrees
@@ -51,7 +51,7 @@ contains
         quoted = ''''//path//''''
     end function quoted
 
-    !> Writes the deck: the first card of SAE 700202 with its shoulder point raised little by little.
+    !> Writes the deck: the first card of SAE 700202, its shoulder point raised little by little.
     subroutine make_deck(path)
         character(*), intent(in) :: path    !! where it goes
         integer :: unit, i
