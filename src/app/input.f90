@@ -1,0 +1,45 @@
+!> A deck named on the command line, opened and read as far as the card that says what kind it is.
+module app_input
+    use app_files, only: deck_file_type
+    use base_error, only: error_type
+    use base_fault, only: fault_list_type
+    use deck_kind, only: opening_type, read_opening
+    use deck_source, only: source_type
+    implicit none (type, external)
+    private
+
+    public :: deck_input_type, open_input, close_input
+
+    !> A deck being read.
+    type :: deck_input_type
+        character(:), allocatable :: name   !! as the user gave it; `-` is standard input
+        type(deck_file_type) :: file        !! the file
+        type(source_type) :: source         !! its lines; the next is the deciding card
+        type(opening_type) :: opening       !! its kind, and what TITLE and UNITS said
+    end type deck_input_type
+
+contains
+
+    !> Opens a deck and reads its beginning. It must be closed also where this fails.
+    !>
+    !> Fails with `cause%file_trouble` where it can't be opened or read.
+    subroutine open_input(name, input, faults, error)
+        character(*), intent(in) :: name                    !! as the user gave it
+        type(deck_input_type), intent(inout) :: input       !! the deck
+        type(fault_list_type), intent(inout) :: faults      !! what is wrong so far is added
+        type(error_type), allocatable, intent(out) :: error !! see above
+
+        input%name = name
+        call input%file%open(name, input%source, error)
+        if (allocated(error)) return
+        call read_opening(input%source, input%opening, faults, error)
+        if (allocated(error)) error%message = name//': '//error%message
+    end subroutine open_input
+
+    !> Closes a deck.
+    subroutine close_input(input)
+        type(deck_input_type), intent(inout) :: input !! the deck
+        call input%file%close()
+    end subroutine close_input
+
+end module app_input
