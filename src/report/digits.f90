@@ -15,26 +15,70 @@ module report_digits
 
 contains
 
-    !> A number with a fixed count of decimals, right in its columns; halves as the runtime rounds.
+    !> A number with a fixed count of decimals, right in its columns; halves go to even, as the
+    !> runtime rounds them.
     pure function fixed(value, width, decimals) result(text)
         real(dp), intent(in) :: value   !! a finite number
         integer, intent(in) :: width    !! columns, at least 9
-        integer, intent(in) :: decimals !! figures behind the point
+        integer, intent(in) :: decimals !! figures behind the point, 0 to 12
         character(width) :: text
-        character(48) :: format
-        character(340) :: field
+        character(24) :: field
+        integer(i64) :: rest
+        integer :: first, place
+        logical :: is_negative
 
-        write (format, '(a,i0,a)') '(f0.', decimals, ')'
-        write (field, format) value
-        if (verify(trim(field), '-0.') == 0 .and. field(1:1) == '-') field = field(2:)
-        if (field(1:1) == '.') field = '0'//trim(field)
-        if (field(1:2) == '-.') field = '-0'//trim(field(2:))
-        if (len_trim(field) <= width) then
-            text = right(field, width)
+        rest = units_of(abs(value), decimals)
+        is_negative = value < 0.0_dp .and. rest > 0
+        first = len(field) + 1
+        place = 0
+        do while (rest > 0 .or. place <= decimals)
+            if (place == decimals) call put_before('.', field, first)
+            call put_before(achar(iachar('0') + int(mod(rest, 10_i64))), field, first)
+            rest = rest/10
+            place = place + 1
+        end do
+        if (is_negative) call put_before('-', field, first)
+        text = ''
+        if (len(field) - first < width) then
+            text(width - len(field) + first:) = field(first:)
         else
             text = scientific(value, width, max(1, width - 8))
         end if
     end function fixed
+
+    !> Puts a character in front of a text that grows from its end.
+    pure subroutine put_before(letter, field, first)
+        character, intent(in) :: letter         !! which
+        character(*), intent(inout) :: field    !! where the text stands
+        integer, intent(inout) :: first         !! where it begins
+        first = first - 1
+        field(first:first) = letter
+    end subroutine put_before
+
+    !> A number in units of its last decimal, rounded exactly, halves to even; the largest whole
+    !> number where it is too large to be printed so.
+    pure integer(i64) function units_of(value, decimals) result(units)
+        real(dp), intent(in) :: value   !! not negative, finite
+        integer, intent(in) :: decimals !! 0 to 12
+        real(dp), parameter :: most = 1.0e17_dp
+        integer(i128) :: scaled, part, half
+        integer :: drop
+
+        units = huge(units)
+        if (value >= most/10.0_dp**decimals) return
+        units = 0
+        drop = digits(value) - exponent(value)
+        if (drop > 100) return
+        scaled = int(scale(fraction(value), digits(value)), i128)*10_i128**int(decimals, i128)
+        if (drop <= 0) then
+            units = int(shiftl(scaled, -drop), i64)
+            return
+        end if
+        units = int(shiftr(scaled, drop), i64)
+        part = iand(scaled, shiftl(1_i128, drop) - 1_i128)
+        half = shiftl(1_i128, drop - 1)
+        if (part > half .or. (part == half .and. mod(units, 2_i64) == 1)) units = units + 1
+    end function units_of
 
     !> A number with one figure before the point and a power of ten of two figures, or three where
     !> it needs them, right in its columns.
