@@ -91,6 +91,7 @@ contains
             if (card%is_readable) call run_period(run%options, card, out, faults)
             return
         end if
+        has_arc = has_arc .and. card%is_whole
         if (has_arc) then
             call tables_of_card(card, arc, tables, faults)
         else

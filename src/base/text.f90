@@ -6,6 +6,7 @@ module base_text
     private
 
     public :: upper, to_text, compact, counted, columns, row_of, right, characters, first_bytes
+    public :: printable
 
     interface to_text
         module procedure integer_text, long_text
@@ -36,6 +37,17 @@ contains
         text = ''
         if (first <= len(image)) text = image(first:min(last, len(image)))
     end function columns
+
+    !> The same text with a `?` for every control byte, so that none reaches a printer.
+    pure function printable(text) result(shown)
+        character(*), intent(in) :: text !! any text
+        character(len(text)) :: shown
+        integer :: i
+        shown = text
+        do i = 1, len(text)
+            if (iachar(text(i:i)) < 32 .or. iachar(text(i:i)) == 127) shown(i:i) = '?'
+        end do
+    end function printable
 
     !> A character many times over; none where the count is not positive.
     pure function row_of(letter, count) result(text)

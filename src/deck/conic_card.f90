@@ -31,6 +31,7 @@ module deck_conic_card
         type(decimal_type) :: value(10)         !! X1 Y1 S1 X2 Y2 X3 Y3 S3 XI YI, exact
         integer :: ityp = 0                     !! not zero: a Y table is wanted
         logical :: is_readable = .false.        !! every field was a number
+        logical :: is_whole = .false.           !! nothing stands beyond column 80
         logical :: is_sound = .false.           !! no error was found on the card
     contains
         procedure :: real => real_field
@@ -55,6 +56,7 @@ contains
         card%line = line%number
         call check_columns(line, faults)
         card%is_readable = index(line%text, achar(9)) == 0
+        card%is_whole = line%filled <= card_columns
         if (card%is_readable) then
             do i = 1, size(card%value)
                 call read_field(conic_fields(i), card, number, faults)

@@ -3,7 +3,7 @@
 module report_page
     use base_constants, only: version
     use base_output, only: output_type
-    use base_text, only: characters, first_bytes, row_of, to_text
+    use base_text, only: characters, first_bytes, printable, row_of, to_text
     implicit none (type, external)
     private
 
@@ -71,13 +71,13 @@ contains
         width = page%columns
     end function width
 
-    !> Prints a line, on a new page where this one is full.
+    !> Prints a line, on a new page where this one is full. A control byte shows as `?`.
     subroutine line(page, out, text)
         class(page_type), intent(inout) :: page !! the listing
         type(output_type), intent(inout) :: out !! where it goes
         character(*), intent(in) :: text        !! the line
         if (page%used >= page%lines) call turn(page, out)
-        call out%line(trim(text))
+        call out%line(trim(printable(text)))
         page%used = page%used + 1
     end subroutine line
 

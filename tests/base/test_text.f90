@@ -1,7 +1,7 @@
 !> Small deeds on text, by hand-worked examples.
 program test_text
     use base_kinds, only: dp, i64
-    use base_text, only: characters, columns, compact, counted, first_bytes, right, row_of, &
+    use base_text, only: characters, columns, compact, counted, first_bytes, printable, right, row_of, &
         to_text, &
         upper
     use support_tap, only: tap_type
@@ -16,6 +16,9 @@ program test_text
     call check_numbers()
     call check_compact()
     call check_characters()
+    call tap%same(printable('a'//achar(7)//'b'//achar(9)//achar(127)), 'a?b??', &
+        'control bytes show as question marks')
+    call tap%same(printable('Grüße'), 'Grüße', 'letters beyond ASCII stay')
     call tap%finish()
 
 contains
