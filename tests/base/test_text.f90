@@ -1,8 +1,8 @@
 !> Small deeds on text, by hand-worked examples.
 program test_text
     use base_kinds, only: dp, i64
-    use base_text, only: characters, columns, compact, counted, first_bytes, printable, right, row_of, &
-        to_text, &
+    use base_text, only: characters, columns, compact, counted, first_bytes, printable, right, &
+        row_of, to_text, &
         upper
     use support_tap, only: tap_type
     implicit none (type, external)
