@@ -15,7 +15,7 @@
 module geom_arc_by_points
     use base_error, only: cause, error_type, fail
     use base_kinds, only: dp
-    use geom_arc, only: arc_type, line_between
+    use geom_arc, only: arc_type, line_between, reversed
     use geom_points, only: check_distinct, has_inner_point, in_line_words, is_in_order, noise_of
     use geom_span, only: arc_past, is_level, is_passed_before, new_span, share_type, shares_of, &
         span_type, way
@@ -41,38 +41,57 @@ contains
         if (.not. allocated(error)) arc = line_between(start, finish)
     end subroutine line_by_points
 
-    !> The arc from a point with its tangent through two points to a last one; a straight line
-    !> where all are in line and the tangent along it. (With the slope at the other end, reverse
-    !> the arc.)
+    !> The arc through four points in their order with the tangent at the first or at the last; a
+    !> straight line where all are in line and the tangent along it.
     !>
     !> Fails with `cause%points_coincide`, or with `cause%no_arc` where three points are in line,
     !> the tangent passes another point, or the conic does not pass the points in order on one
     !> branch.
-    pure subroutine arc_by_four_points(start, second, third, finish, arc, error)
-        type(end_type), intent(in) :: start                 !! first point and its tangent
-        real(dp), intent(in) :: second(2)                   !! point A, deck units
-        real(dp), intent(in) :: third(2)                    !! point B, deck units
-        real(dp), intent(in) :: finish(2)                   !! last point, deck units
+    pure subroutine arc_by_four_points(points, tangent, is_last, arc, error)
+        real(dp), intent(in) :: points(2, 4)                !! points 1, A, B, 3, deck units
+        real(dp), intent(in) :: tangent(2)                  !! at an end, either way, not zero
+        logical, intent(in) :: is_last                      !! it is the tangent at point 3
         type(arc_type), intent(out) :: arc                  !! the arc, where there is no error
         type(error_type), allocatable, intent(out) :: error !! see above
-        type(twofold_type) :: l, m, on_tangent(2)
+        real(dp) :: back(2, 4)
+
+        if (is_last) then
+            back = points(:, 4:1:-1)
+            call arc_from_tangent(tangent, back, '3BA1', arc, error)
+            arc = reversed(arc)
+        else
+            call arc_from_tangent(tangent, points, '1AB3', arc, error)
+        end if
+    end subroutine arc_by_four_points
+
+    !> The arc from a point with its tangent through two points to a last one.
+    !>
+    !> Fails as `arc_by_four_points`.
+    pure subroutine arc_from_tangent(tangent, points, names, arc, error)
+        real(dp), intent(in) :: tangent(2)                  !! at the first point
+        real(dp), intent(in) :: points(2, 4)                !! from first to last, deck units
+        character(4), intent(in) :: names                   !! their names
+        type(arc_type), intent(out) :: arc                  !! the arc, where there is no error
+        type(error_type), allocatable, intent(out) :: error !! see above
+        type(twofold_type) :: l, m
         type(span_type) :: span
-        real(dp) :: points(2, 4)
         logical :: is_line
 
-        points = reshape([start%point, second, third, finish], [2, 4])
-        is_line = is_straight(new_triangle(start, second, end_type(finish, start%tangent)))
-        call line_of_points(points, '1AB3', is_line, arc, error)
-        if (is_line .or. allocated(error)) return
-        call check_tangent(start, points, error)
+        call check_distinct(points, names, error)
         if (allocated(error)) return
-        on_tangent(1) = cross(way(start%point, second), start%tangent)
-        on_tangent(2) = cross(way(start%point, third), start%tangent)
-        l = on_tangent(2)*area(second, finish, start%point)
-        m = -(on_tangent(1)*area(third, finish, start%point))
-        span = new_span(start%point, twofold(start%tangent), finish, finish_tangent(points, l, m))
-        call arc_in_order(span, points, '1AB3', arc, error)
-    end subroutine arc_by_four_points
+        is_line = is_straight(new_triangle(end_type(points(:, 1), tangent), points(:, 2), &
+            end_type(points(:, 4), tangent)))
+        call line_of_points(points, names, is_line, arc, error)
+        if (is_line .or. allocated(error)) return
+        call check_tangent(tangent, points, names, error)
+        if (allocated(error)) return
+        l = cross(way(points(:, 1), points(:, 3)), tangent) &
+            *area(points(:, 2), points(:, 4), points(:, 1))
+        m = -(cross(way(points(:, 1), points(:, 2)), tangent) &
+            *area(points(:, 3), points(:, 4), points(:, 1)))
+        span = new_span(points(:, 1), twofold(tangent), points(:, 4), finish_tangent(points, l, m))
+        call arc_in_order(span, points, names, arc, error)
+    end subroutine arc_from_tangent
 
     !> The arc through five points in their order; a straight line where all are in line.
     !>
@@ -155,19 +174,20 @@ contains
             'one, or put all in line and in order for a straight line')
     end subroutine line_of_points
 
-    !> Fails with `cause%no_arc` where the tangent at point 1 passes another point.
-    pure subroutine check_tangent(start, points, error)
-        type(end_type), intent(in) :: start                 !! first point and its tangent
-        real(dp), intent(in) :: points(2, 4)                !! points 1, A, B, 3
+    !> Fails with `cause%no_arc` where the tangent at the first point passes another.
+    pure subroutine check_tangent(tangent, points, names, error)
+        real(dp), intent(in) :: tangent(2)                  !! at the first point
+        real(dp), intent(in) :: points(2, 4)                !! from first to last, deck units
+        character(4), intent(in) :: names                   !! their names
         type(error_type), allocatable, intent(out) :: error !! see above
-        character, parameter :: names(4) = ['1', 'A', 'B', '3']
         integer :: i
 
         do i = 2, 4
-            if (abs(to_real(cross(way(start%point, points(:, i)), start%tangent))) &
-                > noise_of(points)*norm2(start%tangent)) cycle
-            call fail(error, cause%no_arc, 'the tangent at point 1 passes point '//names(i)//' '// &
-                at_text(points(:, i))//', and a tangent meets its conic once; correct the slope')
+            if (abs(to_real(cross(way(points(:, 1), points(:, i)), tangent))) &
+                > noise_of(points)*norm2(tangent)) cycle
+            call fail(error, cause%no_arc, 'the tangent at point '//names(1:1)//' passes point '// &
+                names(i:i)//' '//at_text(points(:, i))// &
+                ', and a tangent meets its conic once; correct the slope')
             return
         end do
     end subroutine check_tangent

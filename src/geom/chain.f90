@@ -4,7 +4,7 @@
 module geom_chain
     use base_error, only: cause, error_type, fail
     use base_kinds, only: dp
-    use base_text, only: compact, to_text
+    use base_text, only: compact
     use base_tolerances, only: decimal_noise, ulp
     use geom_arc, only: arc_type, reversed
     use geom_arc_point, only: curvature, point, slope_along, tangent
@@ -60,7 +60,7 @@ contains
         do i = 1, last
             chain%arc(i) = arcs(i)
             if (arcs(i)%finish(1) < arcs(i)%start(1)) chain%arc(i) = reversed(arcs(i))
-            call check_single_valued(chain%arc(i), i, error)
+            call check_single_valued(chain%arc(i), error)
             if (allocated(error)) return
         end do
         if (chain%arc(last)%start(1) < chain%arc(1)%start(1)) chain%arc = chain%arc(last:1:-1)
@@ -82,18 +82,16 @@ contains
 
     !> Fails with `cause%not_single_valued` where an arc that runs towards greater x does not
     !> do so all the way. A turn within decimal noise of an end is that end.
-    pure subroutine check_single_valued(arc, number, error)
+    pure subroutine check_single_valued(arc, error)
         type(arc_type), intent(in) :: arc                   !! finish not before start
-        integer, intent(in) :: number                       !! which arc, for the message
         type(error_type), allocatable, intent(out) :: error !! see above
         type(place_type), allocatable :: turns(:)
         real(dp) :: turn(2)
         integer :: i
 
         if (.not. arc%finish(1) > arc%start(1)) then
-            call fail(error, cause%not_single_valued, 'arc '//to_text(number)// &
-                ' begins and ends at '//compact(arc%start(1))// &
-                '; it must lead from one station to another')
+            call fail(error, cause%not_single_valued, 'the arc begins and ends at '// &
+                compact(arc%start(1))//'; it must lead from one station to another')
             return
         end if
         allocate (turns, source=turning_places(arc, 1))
@@ -101,7 +99,7 @@ contains
             turn = point(arc, turns(i))
             if (turn(1) >= arc%start(1) - noise(arc) .and. &
                 turn(1) <= arc%finish(1) + noise(arc)) cycle
-            call fail(error, cause%not_single_valued, 'arc '//to_text(number)//' from '// &
+            call fail(error, cause%not_single_valued, 'the arc from '// &
                 at_text(arc%start)//' to '//at_text(arc%finish)//' turns past the vertical at '// &
                 at_text(turn)//' and has two ordinates there; end it where it is vertical')
             return

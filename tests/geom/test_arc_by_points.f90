@@ -3,7 +3,7 @@ program test_arc_by_points
     use, intrinsic :: iso_fortran_env, only: real128
     use base_error, only: cause, error_type
     use base_kinds, only: dp
-    use geom_arc, only: arc_type, end_type, weight
+    use geom_arc, only: arc_type, weight
     use geom_arc_by_points, only: arc_by_five_points, arc_by_four_points, line_by_points
     use geom_arc_point, only: point
     use geom_place, only: place_at
@@ -56,6 +56,11 @@ contains
         call four([5.0_dp, 0.0_dp], up, [4.0_dp, 3.0_dp], [3.0_dp, 4.0_dp], [0.0_dp, 5.0_dp])
         call tap%near(weight(arc), sqrt(0.5_dp), 2.0e-16_dp, &
             'four points of a circle, upright, make a circle')
+        call arc_by_four_points(reshape([real(dp) :: 3, 9, 2, 4, 1, 1, 0, 0], [2, 4]), flat, &
+            .true., arc, error)
+        call tap%near(weight(arc), 1.0_dp, 2.0e-16_dp, 'with the slope at the last point too')
+        call tap%ok(all(arc%start == [3.0_dp, 9.0_dp]) .and. arc%start_tangent(1) < 0.0_dp, &
+            'from first to last')
     end subroutine check_shapes
 
     !> Straight lines.
@@ -97,7 +102,7 @@ contains
             -0.5_dp])
         call tap%ok(refused(cause%no_arc, 'both of its branches'), &
             'points on both branches of a hyperbola')
-        call five([0.0_dp, 0.0_dp, 2.0_dp, 0.5_dp, 3.0_dp, 3.0_dp, 4.1_dp, 5.5_dp, 6.0_dp, 6.0_dp])
+        call five([0.0_dp, 0.0_dp, 2.0_dp, 0.5_dp, 3.0_dp, 3.2_dp, 4.1_dp, 5.5_dp, 6.0_dp, 6.0_dp])
         call tap%ok(refused(cause%no_arc, 'both of its branches'), 'points of an S-curve')
 
         call four([5.0_dp, 0.0_dp], up, [3.0_dp, 4.0_dp], [4.0_dp, 3.0_dp], [0.0_dp, 5.0_dp])
@@ -105,6 +110,10 @@ contains
         call four([0.0_dp, 0.0_dp], flat, [1.0_dp, 0.0_dp], [2.0_dp, 4.0_dp], [3.0_dp, 9.0_dp])
         call tap%ok(refused(cause%no_arc, 'the tangent at point 1 passes point A (1., 0.)'), &
             'a point on the tangent')
+        call arc_by_four_points(reshape([real(dp) :: 3, 9, 2, 4, 1, 0, 0, 0], [2, 4]), flat, &
+            .true., arc, error)
+        call tap%ok(refused(cause%no_arc, 'the tangent at point 3 passes point B (1., 0.)'), &
+            'or on that at the last')
         call four([0.0_dp, 0.0_dp], [1.0_dp, 0.5_dp], [1.0_dp, 1.0_dp], [2.0_dp, 4.0_dp], &
             [3.0_dp, 9.0_dp])
         call tap%ok(.not. allocated(error), 'another slope of four points makes another conic')
@@ -141,8 +150,8 @@ contains
                 if (k == 1) then
                     call arc_by_five_points(p, arc, error)
                 else
-                    call arc_by_four_points(end_type(p(:, 1), corner - p(:, 1)), p(:, 2), p(:, 4), &
-                        p(:, 5), arc, error)
+                    call arc_by_four_points(p(:, [1, 2, 4, 5]), corner - p(:, 1), .false., arc, &
+                        error)
                 end if
                 if (allocated(error)) cycle
                 made = made + 1
@@ -213,7 +222,7 @@ contains
     !> The arc of four points and a tangent.
     subroutine four(p1, t1, a, b, p3)
         real(dp), intent(in) :: p1(2), t1(2), a(2), b(2), p3(2)
-        call arc_by_four_points(end_type(p1, t1), a, b, p3, arc, error)
+        call arc_by_four_points(reshape([p1, a, b, p3], [2, 4]), t1, .false., arc, error)
     end subroutine four
 
     !> True where an error of a cause is met whose message has some words.

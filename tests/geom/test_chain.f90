@@ -91,7 +91,7 @@ contains
         call new_chain([parabola, arc], chain, error)
         call tap%ok(refused(cause%not_single_valued), 'past 2 it is not')
         if (allocated(error)) call tap%same(error%message, &
-            'arc 2 from (1., 2.) to (1.6, 0.2) turns '// &
+            'the arc from (1., 2.) to (1.6, 0.2) turns '// &
             'past the vertical at (2., 1.) and has two ordinates there; '// &
             'end it where it is vertical', &
             'and the message names the arc and where it turns')
