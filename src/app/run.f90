@@ -3,11 +3,13 @@ module app_run
     use app_files, only: result_file_type
     use app_input, only: close_input, deck_input_type, open_input
     use app_options, only: options_type
+    use app_run_body, only: run_body_deck
     use app_run_conics, only: run_conics
     use app_status, only: status
     use base_error, only: error_type
     use base_fault, only: fault_list_type
     use base_output, only: output_type
+    use deck_kind, only: deck_kind_of
     use report_fault, only: print_faults
     implicit none (type, external)
     private
@@ -38,7 +40,11 @@ contains
         if (.not. allocated(error)) call result_file%begin(options%output, out, error)
         if (.not. allocated(error)) then
             call print_faults(faults, name, .false., messages)
-            call run_conics(options, input, out, messages, status_of_run, error)
+            if (input%opening%kind == deck_kind_of%body) then
+                call run_body_deck(options, input, out, messages, status_of_run, error)
+            else
+                call run_conics(options, input, out, messages, status_of_run, error)
+            end if
             if (faults%has_errors(0)) status_of_run = status%faulty
         end if
         call close_input(input)

@@ -55,7 +55,7 @@ contains
         integer :: i
 
         name = clearance%name
-        text = name//ordinate_text(form, clearance%clearance, figure_width)// &
+        text = name//ordinate_text(form, clearance%asked, figure_width)// &
             ordinate_text(form, clearance%gap, figure_width)
         do i = 1, 3
             text = text//ordinate_text(form, clearance%nearest(i), ordinate_width)

@@ -33,8 +33,8 @@ contains
         call page%blank(out)
     end subroutine print_measures
 
-    !> Prints girth, area, centroid and moments of the sections. Where a section has no area the
-    !> reason stands under its row.
+    !> Prints girth, area, centroid and moments of the sections. Where one has no area, the reason
+    !> stands once below the table.
     subroutine print_curve(page, measure, form, out)
         type(page_type), intent(inout) :: page          !! the listing
         type(body_measure_type), intent(in) :: measure  !! of a body
@@ -49,16 +49,15 @@ contains
             right('AREA', large_width)//right('CENTROID WL', large_width)// &
             right('MOMENT ACROSS', large_width + 3)//right('MOMENT UPRIGHT', large_width + 3)
         call page%set_columns(out, head)
-        why = ''
         do i = 1, size(measure%curve)
             associate (section => measure%curve(i))
                 call page%line(out, section_row(section, form))
-                if (section%has_area) cycle
-                if (.not. allocated(section%why)) cycle
-                if (section%why /= why) call page%paragraph(out, '  NO AREA: '//section%why)
-                why = section%why
+                if (section%has_area .or. allocated(why)) cycle
+                if (allocated(section%why)) why = 'WITHOUT AREA: AT STA '// &
+                    ordinate(form, section%sta)//' '//section%why
             end associate
         end do
+        if (allocated(why)) call page%paragraph(out, why)
         call page%end_columns()
     end subroutine print_curve
 
@@ -75,7 +74,10 @@ contains
         else
             text = text//right('-', figure_width)
         end if
-        if (.not. section%has_area) return
+        if (.not. section%has_area) then
+            text = text//right('-', large_width)
+            return
+        end if
         text = text//fixed(form%factor**2*section%area, large_width, form%decimals)// &
             ordinate_text(form, section%centroid(2), large_width)// &
             fixed(form%factor**4*section%inertia(1), large_width + 3, form%decimals)// &

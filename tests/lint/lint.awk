@@ -9,7 +9,8 @@ BEGIN {
     untested["base_kinds"]; untested["base_posix"]
     # Commands, proved by whole runs in tests/*.t, which see what their users see.
     untested["app_check"]; untested["app_help"]; untested["app_plot"]; untested["app_run"]
-    untested["app_signals"]; untested["app_status"]
+    untested["app_signals"]; untested["app_status"]; untested["app_input"]
+    untested["app_run_conics"]; untested["app_run_body"]; untested["app_computed_body"]
     # Modules that may have variables: a signal handler takes no arguments of ours.
     has_variables["app_signals"]
 }

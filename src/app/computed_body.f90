@@ -1,0 +1,187 @@
+!> Everything a body deck asks of one body, computed once: printed as listing or CSV, or drawn.
+module app_computed_body
+    use app_requests, only: requests_of
+    use base_decimal, only: to_real
+    use base_error, only: error_type
+    use base_fault, only: fault_list_type
+    use base_kinds, only: dp
+    use base_text, only: compact
+    use body_body, only: body_type
+    use body_build, only: build_body
+    use body_gap, only: gap_type, section_gaps
+    use body_ledger, only: joint_type
+    use cut_clearance, only: check_clearance, clearance_type, component_kind, component_type
+    use cut_clearance_map, only: map_type, new_map
+    use cut_make, only: make_cut
+    use cut_measure_body, only: body_measure_type, measure_body
+    use cut_offsets, only: half_breadths, heights, offset_table_type
+    use cut_outline, only: cut_type
+    use cut_plane, only: cut_kind
+    use cut_request, only: request_type
+    use deck_body_card, only: blame, warn
+    use deck_job, only: asked_body_type => body_type, asked_cut_type => cut_type, check, check_real, &
+        check_type, job_type, name_length
+    implicit none (type, external)
+    private
+
+    public :: computed_body_type, compute_body, cuts_of_body
+
+    !> A body and what was asked of it.
+    type :: computed_body_type
+        type(body_type) :: body                                     !! lines and sections
+        character(name_length), allocatable :: sections(:)          !! names of its sections
+        type(joint_type), allocatable :: joints(:)                  !! the continuity ledger
+        type(cut_type), allocatable :: cuts(:)                      !! in the order of the deck
+        type(offset_table_type) :: heights                          !! on the butt lines asked for
+        type(offset_table_type) :: half_breadths                    !! on the waterlines
+        type(body_measure_type) :: measure                          !! areas and volume
+        type(clearance_type), allocatable :: clearances(:)          !! of its components
+    end type computed_body_type
+
+contains
+
+    !> Computes all that is asked of a body.
+    subroutine compute_body(job, number, computed, faults)
+        type(job_type), intent(in) :: job                       !! what the deck asks for
+        integer, intent(in) :: number                           !! which of its bodies
+        type(computed_body_type), intent(out) :: computed       !! what came out
+        type(fault_list_type), intent(inout) :: faults          !! what is wrong is added
+        real(dp), allocatable :: stations(:)
+
+        call cuts_of_body(job, number, computed, faults)
+        stations = cut_at(computed%cuts, cut_kind%station, 1)
+        computed%heights = heights(computed%body, cut_at(computed%cuts, cut_kind%buttock, 2), stations)
+        computed%half_breadths = half_breadths(computed%body, &
+            cut_at(computed%cuts, cut_kind%waterline, 3), stations)
+        call measure_body(computed%body, stations, computed%measure)
+        call check_components(job%body(number), computed, faults)
+    end subroutine compute_body
+
+    !> Builds a body and cuts it; no measures, no tables.
+    subroutine cuts_of_body(job, number, computed, faults)
+        type(job_type), intent(in) :: job                       !! what the deck asks for
+        integer, intent(in) :: number                           !! which of its bodies
+        type(computed_body_type), intent(out) :: computed       !! body, joints and cuts
+        type(fault_list_type), intent(inout) :: faults          !! what is wrong is added
+        integer :: i
+
+        call build_body(job, number, computed%body, computed%joints, faults)
+        allocate (computed%cuts(0), computed%clearances(0))
+        computed%sections = computed%body%sections%name
+        call report_gaps(job%body(number), computed%body, faults)
+        do i = 1, size(job%body(number)%cut)
+            call add_cuts(job%body(number)%cut(i), computed, faults)
+        end do
+    end subroutine cuts_of_body
+
+    !> Reports where a section has no conic though its lines are there.
+    subroutine report_gaps(asked, body, faults)
+        type(asked_body_type), intent(in) :: asked              !! as the deck has it
+        type(body_type), intent(in) :: body                     !! as built
+        type(fault_list_type), intent(inout) :: faults          !! gets a fault for each gap
+        type(gap_type), allocatable :: gaps(:)
+        integer :: i, j, k
+
+        do i = 1, size(body%sections)
+            gaps = section_gaps(body, body%sections(i))
+            do j = 1, size(asked%section)
+                if (asked%section(j)%name /= body%sections(i)%name) cycle
+                do k = 1, size(gaps)
+                    call blame(asked%section(j)%card, 2, 'no conic from STA '// &
+                        compact(gaps(k)%from)//' to '//compact(gaps(k)%to)//': '// &
+                        gaps(k)%reason, faults)
+                end do
+                exit
+            end do
+        end do
+    end subroutine report_gaps
+
+    !> Makes the cuts of one card.
+    subroutine add_cuts(asked, computed, faults)
+        type(asked_cut_type), intent(in) :: asked               !! the card
+        type(computed_body_type), intent(inout) :: computed     !! gets the cuts
+        type(fault_list_type), intent(inout) :: faults          !! what is wrong is added
+        type(request_type), allocatable :: requests(:)
+        type(error_type), allocatable :: error
+        type(cut_type) :: made
+        integer :: i, k
+
+        call requests_of(asked, requests, faults)
+        do i = 1, size(requests)
+            call make_cut(computed%body, requests(i), made, error)
+            if (allocated(error)) then
+                call blame(asked%card, 1, error%message, faults)
+                cycle
+            end if
+            do k = 1, size(made%notes)
+                if (made%notes(k)%is_error) then
+                    call blame(asked%card, 1, made%notes(k)%message, faults)
+                else
+                    call warn(asked%card, 1, made%notes(k)%message, faults)
+                end if
+            end do
+            computed%cuts = [computed%cuts, made]
+        end do
+    end subroutine add_cuts
+
+    !> Where cuts of a kind stand along their axis, each ordinate once.
+    pure function cut_at(cuts, kind, axis) result(ordinates)
+        type(cut_type), intent(in) :: cuts(:)   !! of a body
+        integer, intent(in) :: kind             !! one of `cut_kind%...`
+        integer, intent(in) :: axis             !! 1 STA, 2 BL, 3 WL
+        real(dp), allocatable :: ordinates(:)
+        integer :: i
+
+        allocate (ordinates(0))
+        do i = 1, size(cuts)
+            if (cuts(i)%plane%kind /= kind) cycle
+            if (any(abs(ordinates - cuts(i)%plane%through(axis)) <= 0.0_dp)) cycle
+            ordinates = [ordinates, cuts(i)%plane%through(axis)]
+        end do
+    end function cut_at
+
+    !> Looks how clear the components are; one that is nearer than asked is an error on its card.
+    subroutine check_components(asked, computed, faults)
+        type(asked_body_type), intent(in) :: asked              !! as the deck has it
+        type(computed_body_type), intent(inout) :: computed     !! gets the clearances
+        type(fault_list_type), intent(inout) :: faults          !! what is wrong is added
+        type(map_type) :: map
+        integer :: i
+
+        if (size(asked%check) == 0) return
+        map = new_map(computed%body)
+        deallocate (computed%clearances)
+        allocate (computed%clearances(size(asked%check)))
+        do i = 1, size(asked%check)
+            associate (found => computed%clearances(i), card => asked%check(i))
+                call check_clearance(computed%body, map, component_of(card), found)
+                if (.not. found%is_short) cycle
+                call blame(card%card, 2, 'clearance '//compact(found%gap)//' at STA '// &
+                    compact(found%nearest(1))//', BL '//compact(found%nearest(2))//', WL '// &
+                    compact(found%nearest(3))//'; '//compact(to_real(card%clearance))// &
+                    ' is asked for', faults)
+            end associate
+        end do
+    end subroutine check_components
+
+    !> A component of a CHECK card.
+    pure type(component_type) function component_of(card) result(component)
+        type(check_type), intent(in) :: card !! the card
+
+        component%name = card%name
+        component%clearance = to_real(card%clearance)
+        component%skin = to_real(card%skin)
+        component%at = check_real(card, [1, 2, 3])
+        select case (card%kind)
+        case (check%sphere)
+            component%kind = component_kind%sphere
+            component%radius = check_real(card, 4)
+        case (check%box)
+            component%kind = component_kind%box
+            component%other = check_real(card, [4, 5, 6])
+        case default
+            component%kind = component_kind%point
+        end select
+    end function component_of
+
+end module app_computed_body
