@@ -24,8 +24,7 @@ contains
 
     !> Builds the control lines of a body. A line keeps its number; a view that is not given, or not
     !> sound, it has not (`has_side`, `has_plan`, `has_angle`). What is wrong is said of its card,
-    !> as `build_view` does; besides, views taken over from each other in a circle, and a line whose
-    !> side and plan view have no station in common.
+    !> as `build_view` does; besides, of a line whose side and plan view have no station in common.
     pure subroutine build_lines(body, gap, lines, joints, faults)
         type(body_type), intent(in) :: body                         !! as the deck has it
         real(dp), intent(in) :: gap                                 !! largest gap at a joint
@@ -39,7 +38,6 @@ contains
         call build_own_views(body, gap, views, joints, faults)
         call take_views_over(body, views)
         do i = 1, size(lines)
-            call check_circles(body, i, faults)
             call put_together(body%line(i), views(:, i), lines(i), faults)
         end do
     end subroutine build_lines
@@ -83,38 +81,19 @@ contains
         end do
     end subroutine take_views_over
 
-    !> The line from which a view comes in the end, itself where it was not taken over; 0 where it
-    !> comes from none: its name was not found, or lines take it over in a circle.
+    !> The line from which a view comes in the end, itself where it was not taken over; 0 where that
+    !> was not found. A view is taken over from one given before it, so that this comes to an end.
     pure integer function source_of(body, line, which) result(source)
         type(body_type), intent(in) :: body !! as the deck has it
         integer, intent(in) :: line         !! the line
         integer, intent(in) :: which        !! one of `view%...`
-        integer :: steps
 
         source = line
-        do steps = 0, size(body%line)
-            if (source == 0) return
-            if (body%line(source)%view(which)%origin /= origin%line) return
+        do while (source > 0)
+            if (body%line(source)%view(which)%origin /= origin%line) exit
             source = body%line(source)%view(which)%line
         end do
-        source = 0
     end function source_of
-
-    !> Blames the views of a line that lines take over in a circle.
-    pure subroutine check_circles(body, line, faults)
-        type(body_type), intent(in) :: body             !! as the deck has it
-        integer, intent(in) :: line                     !! the line
-        type(fault_list_type), intent(inout) :: faults  !! what is wrong is added
-        integer :: j
-
-        do j = 1, 3
-            associate (given => body%line(line)%view(j))
-                if (given%origin /= origin%line .or. .not. given%is_sound) cycle
-                if (source_of(body, line, j) == 0) call blame(given%card, 4, 'lines that take '// &
-                    'this view over from each other in a circle; one must have data cards', faults)
-            end associate
-        end do
-    end subroutine check_circles
 
     !> A line from its views.
     pure subroutine put_together(asked, views, line, faults)
