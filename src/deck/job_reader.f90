@@ -101,14 +101,14 @@ contains
 
         word = ''
         if (begins_with_word(line)) word = card_word(line)
-        deck%is_refused = .true.
+        deck%is_refused = .false.
         if (word == 'TITLE' .or. word == 'UNITS') then
             call read_heading_card(line, deck%heading, faults)
         else if (has_sound_columns(line, faults)) then
-            deck%is_refused = .false.
             deck%has_card = .true.
             deck%card = new_card(line)
         else
+            deck%is_refused = .true.
             deck%state%open%is_sound = .false.
         end if
         if (word /= 'END') return

@@ -115,7 +115,8 @@ contains
         if (layout%second /= '') name = name//' '//trim(layout%second)
         call out%line(name//': '//trim(layout%meaning))
         if (size(field) > 0) call out%line('')
-        if (size(field) > 0) call out%line('  field  columns  name      holds     unit       meaning')
+        if (size(field) > 0) call out%line( &
+            '  field  columns  name      holds     unit       meaning')
         do i = 1, size(field)
             call out%line(field_line(field(i)))
         end do

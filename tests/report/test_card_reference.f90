@@ -1,6 +1,8 @@
-!> The card reference against the card table of SAE 700202.
+!> The card reference against the card table of SAE 700202, and whether every card of a body deck is
+!> in it.
 program test_card_reference
     use base_output, only: output_type
+    use deck_body_layout, only: body_layout
     use report_card_reference, only: print_card_reference
     use support_tap, only: tap_type
     implicit none (type, external)
@@ -29,6 +31,16 @@ program test_card_reference
     call tap%ok(index(text, feed//'UNITS') > 0 .and. index(text, '9-16  UNIT   A8') > 0, &
         'UNITS is there')
     call tap%ok(index(text, ' '//feed) == 0, 'no line ends with blanks')
+    do i = 1, size(body_layout)
+        if (body_layout(i)%word == '') cycle
+        call tap%ok(index(text, feed//trim(body_layout(i)%word)) > 0, 'the card '// &
+            trim(body_layout(i)%word)//' '//trim(body_layout(i)%second)//' is there')
+    end do
+    call tap%ok(index(text, feed//'      4    25-32  SHLDR     name ') > 0, 'a field of SECTION')
+    call tap%ok(index(text, feed//'      8    57-64  [FROM]    number ') > 0, 'a field that may be blank')
+    call tap%ok(index(text, feed//'     11    +9-16  Y3        number ') > 0, 'a field of a continuation')
+    call tap%ok(index(text, 'behind  options: LAST DXDY KNUCKLE'//feed) > 0, 'options of a card')
+    call tap%ok(index(text, feed//'  KNUCKLE   a slope break') > 0, 'and their meaning')
     i = 1
     do
         next = index(text(i:), feed)
