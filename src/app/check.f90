@@ -1,6 +1,7 @@
 !> `loft check`: reads decks, prints every diagnostic, and nothing else.
 module app_check
-    use app_files, only: deck_file_type
+    use app_computed_body, only: compute_body, computed_body_type
+    use app_input, only: close_input, deck_input_type, open_input
     use app_options, only: argument_type
     use app_status, only: status
     use base_error, only: error_type
@@ -10,7 +11,9 @@ module app_check
     use body_card_tables, only: card_table_type, tables_of_card
     use deck_conic_card, only: conic_card_type
     use deck_conic_deck, only: conic_deck_type, found
-    use deck_source, only: source_type
+    use deck_job, only: job_type
+    use deck_job_reader, only: read_job
+    use deck_kind, only: deck_kind_of
     use geom_arc, only: arc_type
     use report_fault, only: print_faults
     implicit none (type, external)
@@ -48,32 +51,75 @@ contains
         logical, intent(out) :: is_faulty                   !! an error was found in it
         type(output_type), intent(inout) :: messages        !! diagnostics
         type(error_type), allocatable, intent(out) :: error !! see above
-        type(deck_file_type) :: file
-        type(source_type) :: source
-        type(conic_deck_type) :: deck
-        type(conic_card_type) :: card
+        type(deck_input_type) :: input
         type(fault_list_type) :: faults
-        type(error_type), allocatable :: ignored
-        integer :: outcome
 
         is_faulty = .false.
-        call file%open(name, source, error)
-        if (allocated(error)) return
-        do
-            call deck%next(source, card, outcome, faults, error)
-            if (allocated(error)) then
-                error%message = name//': '//error%message
-                exit
+        call open_input(name, input, faults, error)
+        if (.not. allocated(error)) then
+            if (input%opening%kind == deck_kind_of%body) then
+                call check_body(input, faults, error)
+            else
+                call check_conics(input, faults, is_faulty, messages, error)
             end if
-            if (outcome == found%conic) call check_conic(card, faults)
-            call print_faults(faults, name, .true., messages)
-            call messages%flush(ignored)
-            is_faulty = is_faulty .or. faults%has_errors(0)
-            call faults%clear()
-            if (outcome == found%finished) exit
-        end do
-        call file%close()
+            call report(input%name, faults, is_faulty, messages)
+            if (allocated(error)) error%message = name//': '//error%message
+        end if
+        call close_input(input)
     end subroutine check_deck
+
+    !> Checks a 1970 deck, card by card. The faults of its end are left in the list.
+    !>
+    !> Fails with `cause%file_trouble` where it can't be read.
+    subroutine check_conics(input, faults, is_faulty, messages, error)
+        type(deck_input_type), intent(inout) :: input       !! the deck, at its first card
+        type(fault_list_type), intent(inout) :: faults      !! found so far, not yet printed
+        logical, intent(inout) :: is_faulty                 !! an error was found in it
+        type(output_type), intent(inout) :: messages        !! diagnostics
+        type(error_type), allocatable, intent(out) :: error !! see above
+        type(conic_deck_type) :: deck
+        type(conic_card_type) :: card
+        integer :: outcome
+
+        deck%heading = input%opening%heading
+        do
+            call deck%next(input%source, card, outcome, faults, error)
+            if (allocated(error) .or. outcome == found%finished) return
+            call check_conic(card, faults)
+            call report(input%name, faults, is_faulty, messages)
+        end do
+    end subroutine check_conics
+
+    !> Checks a body deck: reads it, builds its bodies and makes their cuts.
+    !>
+    !> Fails with `cause%file_trouble` where it can't be read.
+    subroutine check_body(input, faults, error)
+        type(deck_input_type), intent(inout) :: input       !! the deck, at its first card
+        type(fault_list_type), intent(inout) :: faults      !! what is wrong is added
+        type(error_type), allocatable, intent(out) :: error !! see above
+        type(job_type) :: job
+        type(computed_body_type) :: computed
+        integer :: i
+
+        call read_job(input%source, input%opening%heading, job, faults, error)
+        if (allocated(error)) return
+        do i = 1, size(job%body)
+            call compute_body(job, i, computed, faults)
+        end do
+    end subroutine check_body
+
+    !> Prints faults and forgets them.
+    subroutine report(name, faults, is_faulty, messages)
+        character(*), intent(in) :: name                !! of the deck
+        type(fault_list_type), intent(inout) :: faults  !! found since the last report
+        logical, intent(inout) :: is_faulty             !! an error was found in the deck
+        type(output_type), intent(inout) :: messages    !! diagnostics
+        type(error_type), allocatable :: ignored
+        call print_faults(faults, name, .true., messages)
+        call messages%flush(ignored)
+        is_faulty = is_faulty .or. faults%has_errors(0)
+        call faults%clear()
+    end subroutine report
 
     !> Looks whether a card would run.
     subroutine check_conic(card, faults)
