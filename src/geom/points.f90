@@ -2,11 +2,10 @@
 !> Whether decimals were meant to be in line is decided here, with the noise they have in doubles.
 module geom_points
     use base_error, only: cause, error_type, fail
-    use base_exact, only: is_zero
     use base_kinds, only: dp
     use base_tolerances, only: decimal_noise, ulp
     use geom_span, only: way
-    use geom_twofold, only: to_real, twofold_type
+    use geom_twofold, only: to_real
     use geom_vector, only: at_text, cross
     implicit none (type, external)
     private

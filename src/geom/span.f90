@@ -18,7 +18,7 @@ module geom_span
     use geom_triangle, only: end_type
     use geom_twofold, only: exact_difference, operator(*), operator(+), operator(-), operator(/), &
         sqrt, to_real, twofold, twofold_type
-    use geom_vector, only: cross, dot
+    use geom_vector, only: cross
     implicit none (type, external)
     private
 
