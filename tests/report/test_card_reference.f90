@@ -37,8 +37,10 @@ program test_card_reference
             trim(body_layout(i)%word)//' '//trim(body_layout(i)%second)//' is there')
     end do
     call tap%ok(index(text, feed//'      4    25-32  SHLDR     name ') > 0, 'a field of SECTION')
-    call tap%ok(index(text, feed//'      8    57-64  [FROM]    number ') > 0, 'a field that may be blank')
-    call tap%ok(index(text, feed//'     11    +9-16  Y3        number ') > 0, 'a field of a continuation')
+    call tap%ok(index(text, feed//'      8    57-64  [FROM]    number ') > 0, &
+        'a field that may be blank')
+    call tap%ok(index(text, feed//'     11    +9-16  Y3        number ') > 0, &
+        'a field of a continuation')
     call tap%ok(index(text, 'behind  options: LAST DXDY KNUCKLE'//feed) > 0, 'options of a card')
     call tap%ok(index(text, feed//'  KNUCKLE   a slope break') > 0, 'and their meaning')
     i = 1
