@@ -30,6 +30,7 @@ module base_error
         integer :: divide = 32             !! division by zero in System/360 arithmetic
         integer :: increment = 40          !! an increment that can't step a table
         integer :: too_many = 41           !! a table longer than LOFT makes
+        integer :: beyond_lines = 42       !! a cut where the body's lines are not
     end type cause_list
 
     !> The causes by name: `case (cause%inflection)`.

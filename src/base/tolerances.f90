@@ -28,7 +28,7 @@ module base_tolerances
     real(dp), parameter, public :: foot_tolerance = 1.0e-13_dp
     !> Relative error asked of the lengths that spread points along an outline: where they stand is a
     !> matter of choice, that they are on the outline is not.
-    real(dp), parameter, public :: spacing_tolerance = 1.0e-9_dp
+    real(dp), parameter, public :: spacing_tolerance = 1.0e-6_dp
     !> How far ends of an outline that are one point may miss each other. Relative to the body.
     real(dp), parameter, public :: meeting_tolerance = 1.0e-9_dp
     !> How much of itself the curvature of a line may jump at a joint and still be said to go on:

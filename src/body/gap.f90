@@ -34,7 +34,7 @@ contains
         logical :: is_sound, was_sound
         integer :: i
 
-        allocate (gaps(0), sta(0))
+        allocate (gaps(0), sta(0), stops(0))
         stops = smooth_stops(body, section)
         do i = 1, size(stops) - 1
             sta = [sta, sample_points(stops(i), stops(i + 1))]

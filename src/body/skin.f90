@@ -68,19 +68,22 @@ contains
         if (is_finish(place)) bears(:2) = .false.
     end function bears
 
-    !> The normal where the surface is smooth.
+    !> The normal where the surface is smooth: in the plane of the section it is across the tangent
+    !> of the arc, which is exact at its ends.
     pure subroutine measure(arc, place, outward, skin)
         type(arc_type), intent(in) :: arc           !! the section there
         type(place_type), intent(in) :: place       !! where on it
         real(dp), intent(in) :: outward             !! 1: outside is to the right, -1: left
         type(skin_type), intent(inout) :: skin      !! has point and patch
-        real(dp) :: along(2), facing
+        real(dp) :: along(2), out(2), steepness
 
         along = tangent(arc, place)
+        out = outward*[along(2), -along(1)]/norm2(along)
         skin%gradient = gradient_at(skin%patch, skin%at(2:))
-        facing = outward*(skin%gradient(2)*along(2) - skin%gradient(3)*along(1))
-        if (is_zero(facing)) return
-        skin%normal = sign(1.0_dp, facing)*skin%gradient/norm2(skin%gradient)
+        steepness = dot_product(skin%gradient(2:), out)
+        if (is_zero(steepness)) return
+        skin%normal = sign(1.0_dp, steepness)*[skin%gradient(1), steepness*out]
+        skin%normal = skin%normal/norm2(skin%normal)
         skin%has_normal = .true.
         skin%is_smooth = .true.
     end subroutine measure

@@ -46,6 +46,7 @@ module cut_outline
         integer :: branch = 0               !! `cut_branch`: which place of the section's arc
         integer :: first = 0                !! its first point in the outline's list
         integer :: last = 0                 !! its last point in the outline's list
+        logical :: is_image = .false.       !! of the port half of a symmetric body
     end type piece_type
 
     !> One outline.

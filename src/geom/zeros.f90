@@ -28,7 +28,7 @@ module geom_zeros
         end function value_at
     end interface
 
-    !> Samples of an interval, not counting its ends: the nearest to an end is 1/4000 of the length
+    !> Samples of an interval besides its ends: the nearest to an end is 1/4000 of the length
     !> from it, the widest apart are 1/40 of the length.
     integer, parameter :: samples = 63
     !> Steps that narrow an extreme: each takes .618 of the interval.
@@ -38,35 +38,50 @@ module geom_zeros
 
 contains
 
-    !> The zeros inside an interval, in order, each once: where the sign changes and, of extremes,
-    !> where the magnitude is within `noise`. A function within `noise` at all samples has none.
+    !> The zeros in an interval, in order, each once: where the sign changes and, of extremes, where
+    !> the magnitude is within `noise`. Ends within `noise` are none. A function within `noise` at
+    !> all samples has none.
     pure function zeros_of(f, from, to, noise) result(zeros)
         class(function_type), intent(in) :: f !! the function
         real(dp), intent(in) :: from          !! lower end
         real(dp), intent(in) :: to            !! upper end
         real(dp), intent(in) :: noise         !! magnitude that is nothing but round-off
         real(dp), allocatable :: zeros(:)
-        real(dp) :: x(samples), y(samples), extreme
+        real(dp) :: x(samples + 2), y(samples + 2), extreme
         integer :: i
 
         allocate (zeros(0))
-        x = sample_points(from, to)
-        do i = 1, samples
+        x = [from, sample_points(from, to), to]
+        do i = 1, size(x)
             y(i) = f%at(x(i))
         end do
         if (all(abs(y) <= noise)) return
-        do i = 2, samples
+        call settle(y, noise)
+        if (changes(y(1), y(2))) zeros = [zero_between(f, x(1), x(2))]
+        do i = 3, size(x)
             if (changes(y(i - 1), y(i))) zeros = [zeros, zero_between(f, x(i - 1), x(i))]
-            if (i == 2) cycle
             if (.not. is_nearing(y(i - 2:i))) cycle
             extreme = least_magnitude(f, x(i - 2), x(i), sign(1.0_dp, y(i)))
-            if (changes(y(i), f%at(extreme))) then
-                zeros = [zeros, zero_between(f, x(i - 2), extreme), zero_between(f, extreme, x(i))]
-            else if (abs(f%at(extreme)) <= noise) then
+            if (abs(f%at(extreme)) <= noise) then
                 zeros = [zeros, extreme]
+            else if (changes(y(i), f%at(extreme))) then
+                zeros = [zeros, zero_between(f, x(i - 2), extreme), zero_between(f, extreme, x(i))]
             end if
         end do
     end function zeros_of
+
+    !> Gives values that are nothing but round-off the sign of the value before.
+    pure subroutine settle(y, noise)
+        real(dp), intent(inout) :: y(:) !! samples, one of them at least above the noise
+        real(dp), intent(in) :: noise   !! magnitude that is nothing but round-off
+        integer :: i, first
+
+        first = findloc(abs(y) > noise, .true., dim=1)
+        y(:first - 1) = sign(y(:first - 1), y(first))
+        do i = first + 1, size(y)
+            if (abs(y(i)) <= noise) y(i) = sign(y(i), y(i - 1))
+        end do
+    end subroutine settle
 
     !> The samples of an interval, in order, without its ends.
     pure function sample_points(from, to) result(x)
@@ -79,11 +94,11 @@ contains
         end do
     end function sample_points
 
-    !> True where two values have different signs; zero counts as above.
+    !> True where two values have different signs, which zeros have, too.
     elemental logical function changes(first, second)
         real(dp), intent(in) :: first  !! a value
         real(dp), intent(in) :: second !! the next
-        changes = first < 0.0_dp .neqv. second < 0.0_dp
+        changes = sign(1.0_dp, first)*sign(1.0_dp, second) < 0.0_dp
     end function changes
 
     !> True where three values of one sign have their least magnitude in the middle.

@@ -1,0 +1,230 @@
+!> How the points of a cut are spread along a track: the stations at which it has points.
+module cut_spread
+    use base_constants, only: largest_table
+    use base_decimal, only: grid_type
+    use base_error, only: cause, error_type, fail
+    use base_kinds, only: dp, i64
+    use base_text, only: compact, to_text
+    use base_tolerances, only: decimal_noise, spacing_tolerance, ulp
+    use body_body, only: body_type
+    use cut_plane, only: plane_type
+    use cut_request, only: cut_rule, request_type
+    use cut_track, only: track_type
+    use cut_walk, only: coordinate_type, point_at, speed_type, station_of
+    use geom_quadrature, only: integrate
+    use geom_zeros, only: sample_points, zeros_of
+    implicit none (type, external)
+    private
+
+    public :: stations_on, steps_inside
+
+    !> Newton steps and halvings that place one point.
+    integer, parameter :: most_steps = 60
+    !> Halvings of a track for chords: 2**12 chords are more than any tolerance needs.
+    integer, parameter :: deepest = 12
+
+contains
+
+    !> The stations of the points of a track, in order, both its ends included.
+    !>
+    !> Fails with `cause%too_many` where there are more than `largest_table`, and with
+    !> `cause%no_convergence` where a length can't be found.
+    pure subroutine stations_on(body, track, request, stations, error)
+        type(body_type), intent(in) :: body                     !! finished
+        type(track_type), intent(in) :: track                   !! of that body and request
+        type(request_type), intent(in) :: request               !! the rule
+        real(dp), allocatable, intent(out) :: stations(:)       !! deck units
+        type(error_type), allocatable, intent(out) :: error     !! see above
+        real(dp), allocatable :: inside(:)
+
+        allocate (inside(0))
+        select case (request%rule)
+        case (cut_rule%step)
+            if (request%axis == 1) then
+                call steps_inside(request%grid, [track%from%sta, track%to%sta], inside, error)
+            else
+                call crossings(body, track, request, inside, error)
+            end if
+        case (cut_rule%chord)
+            inside = within_chords(body, request%plane, track, request%step)
+        case default
+            call equal_lengths(body, track, request, inside, error)
+        end select
+        if (allocated(error)) return
+        stations = [track%from%sta, inside, track%to%sta]
+    end subroutine stations_on
+
+    !> The stepped ordinates strictly inside of a range, further than lost decimals from its ends,
+    !> in ascending order. Fails with `cause%too_many`.
+    pure subroutine steps_inside(grid, ends, ordinates, error)
+        type(grid_type), intent(in) :: grid                     !! the stepped ordinates
+        real(dp), intent(in) :: ends(2)                         !! deck units, in order
+        real(dp), allocatable, intent(out) :: ordinates(:)      !! deck units
+        type(error_type), allocatable, intent(out) :: error     !! see above
+        real(dp) :: steps(2), noise
+        integer(i64) :: k, first, last
+
+        steps = [grid%steps_to(ends(1)), grid%steps_to(ends(2))]
+        if (abs(steps(2) - steps(1)) > largest_table .or. any(abs(steps) > huge(1))) then
+            call fail(error, cause%too_many, 'the steps between '//compact(ends(1))//' and '// &
+                compact(ends(2))//' are too many; LOFT makes at most '//to_text(largest_table)// &
+                ' points: take a longer step, or start the steps nearer to them')
+            return
+        end if
+        first = floor(minval(steps), i64)
+        last = ceiling(maxval(steps), i64)
+        allocate (ordinates(0))
+        ordinates = [(grid%ordinate(k), k=first, last)]
+        if (steps(2) < steps(1)) ordinates = ordinates(size(ordinates):1:-1)
+        noise = decimal_noise*ulp*maxval(abs(ends))
+        ordinates = pack(ordinates, ordinates > ends(1) + noise .and. ordinates < ends(2) - noise)
+    end subroutine steps_inside
+
+    !> The stations where a track passes the stepped ordinates of BL or WL.
+    pure subroutine crossings(body, track, request, stations, error)
+        type(body_type), intent(in) :: body                     !! finished
+        type(track_type), intent(in) :: track                   !! of that body and request
+        type(request_type), intent(in) :: request               !! axis and grid
+        real(dp), allocatable, intent(inout) :: stations(:)     !! deck units, in order
+        type(error_type), allocatable, intent(out) :: error     !! see `stations_on`
+        type(coordinate_type) :: along
+        real(dp), allocatable :: levels(:), sta(:)
+        real(dp) :: span(2)
+        integer :: i
+
+        along%body = body
+        along%plane = request%plane
+        along%track = track
+        along%axis = request%axis
+        allocate (sta(0))
+        sta = [track%from%sta, sample_points(track%from%sta, track%to%sta), track%to%sta]
+        span = [huge(1.0_dp), -huge(1.0_dp)]
+        do i = 1, size(sta)
+            span = [min(span(1), along%at(sta(i))), max(span(2), along%at(sta(i)))]
+        end do
+        call steps_inside(request%grid, span, levels, error)
+        if (allocated(error)) return
+        do i = 1, size(levels)
+            along%level = levels(i)
+            stations = [stations, zeros_of(along, track%from%sta, track%to%sta, 0.0_dp)]
+        end do
+        call sort(stations)
+    end subroutine crossings
+
+    !> Puts numbers in ascending order.
+    pure subroutine sort(x)
+        real(dp), intent(inout) :: x(:) !! any numbers
+        real(dp) :: next
+        integer :: i, before
+
+        do i = 2, size(x)
+            next = x(i)
+            before = count(x(:i - 1) <= next)
+            x(before + 2:i) = x(before + 1:i - 1)
+            x(before + 1) = next
+        end do
+    end subroutine sort
+
+    !> The stations inside that divide a track into equal lengths. A length that rounding keeps from
+    !> its tolerance does as it is.
+    pure subroutine equal_lengths(body, track, request, stations, error)
+        type(body_type), intent(in) :: body                     !! finished
+        type(track_type), intent(in) :: track                   !! of that body and request
+        type(request_type), intent(in) :: request               !! number or length
+        real(dp), allocatable, intent(inout) :: stations(:)     !! deck units
+        type(error_type), allocatable, intent(out) :: error     !! see `stations_on`
+        type(speed_type) :: speed
+        type(error_type), allocatable :: rough
+        real(dp) :: length, t, done
+        integer :: parts, i
+
+        speed%body = body
+        speed%plane = request%plane
+        speed%track = track
+        call integrate(speed, 0.0_dp, 1.0_dp, spacing_tolerance, length, rough)
+        parts = max(1, request%number - 1)
+        if (request%rule == cut_rule%length) &
+            parts = max(1, nint(min(length/request%step, real(largest_table, dp))))
+        t = 0.0_dp
+        done = 0.0_dp
+        do i = 1, parts - 1
+            call advance(speed, length*real(i, dp)/real(parts, dp), length, t, done, error)
+            if (allocated(error)) return
+            stations = [stations, station_of(track, t)]
+        end do
+    end subroutine equal_lengths
+
+    !> Goes on along a track until a length is reached: Newton's method, kept between bounds.
+    pure subroutine advance(speed, target, total, t, done, error)
+        type(speed_type), intent(in) :: speed                   !! of the track
+        real(dp), intent(in) :: target                          !! length wanted, deck units
+        real(dp), intent(in) :: total                           !! length of the track, deck units
+        real(dp), intent(inout) :: t                            !! parameter reached
+        real(dp), intent(inout) :: done                         !! length reached, deck units
+        type(error_type), allocatable, intent(out) :: error     !! `cause%no_convergence`
+        type(error_type), allocatable :: rough
+        real(dp) :: bounds(2), next, pace, part
+        integer :: i
+
+        bounds = [t, 1.0_dp]
+        do i = 1, most_steps
+            if (abs(target - done) <= spacing_tolerance*total) return
+            if (done < target) bounds(1) = t
+            if (done > target) bounds(2) = t
+            pace = speed%at(t)
+            next = 0.5_dp*sum(bounds)
+            if (abs(target - done) < pace*(bounds(2) - bounds(1))) next = t + (target - done)/pace
+            if (.not. (next > bounds(1) .and. next < bounds(2))) next = 0.5_dp*sum(bounds)
+            call integrate(speed, t, next, spacing_tolerance, part, rough)
+            done = done + part
+            t = next
+        end do
+        call fail(error, cause%no_convergence, 'no point found at length '//compact(target)// &
+            ' of an outline of length '//compact(total))
+    end subroutine advance
+
+    !> The stations inside such that no chord is further than a tolerance from the track.
+    pure function within_chords(body, plane, track, tolerance) result(stations)
+        type(body_type), intent(in) :: body         !! finished
+        type(plane_type), intent(in) :: plane       !! not across STA
+        type(track_type), intent(in) :: track       !! of that body and plane
+        real(dp), intent(in) :: tolerance           !! deck units, above zero
+        real(dp), allocatable :: stations(:), t(:), finer(:)
+        integer :: i, depth
+
+        allocate (finer(0))
+        allocate (t(0))
+        t = [0.0_dp, 0.5_dp, 1.0_dp]
+        do depth = 1, deepest
+            finer = [t(1)]
+            do i = 2, size(t)
+                if (.not. is_flat(t(i - 1), t(i))) finer = [finer, 0.5_dp*(t(i - 1) + t(i))]
+                finer = [finer, t(i)]
+            end do
+            if (size(finer) == size(t)) exit
+            t = finer
+        end do
+        allocate (stations(0))
+        stations = [(station_of(track, t(i)), i=2, size(t) - 1)]
+    contains
+        !> True where the quarters of a stretch are as near to its chord as asked.
+        pure logical function is_flat(from, to)
+            real(dp), intent(in) :: from    !! parameter
+            real(dp), intent(in) :: to      !! parameter
+            real(dp) :: ends(3, 2), off(3), chord(3), span
+            integer :: quarter
+            ends(:, 1) = point_at(body, plane, track, station_of(track, from))
+            ends(:, 2) = point_at(body, plane, track, station_of(track, to))
+            chord = ends(:, 2) - ends(:, 1)
+            span = max(dot_product(chord, chord), tiny(1.0_dp))
+            is_flat = .true.
+            do quarter = 1, 3
+                off = point_at(body, plane, track, &
+                    station_of(track, from + 0.25_dp*real(quarter, dp)*(to - from))) - ends(:, 1)
+                off = off - dot_product(off, chord)/span*chord
+                is_flat = is_flat .and. norm2(off) <= tolerance
+            end do
+        end function is_flat
+    end function within_chords
+
+end module cut_spread

@@ -1,0 +1,154 @@
+!> The cut of a body across STA: conic arcs, one of each section, in chains.
+module cut_station
+    use base_error, only: error_type
+    use base_kinds, only: dp
+    use body_body, only: body_type
+    use body_section, only: section_arc
+    use cut_arc_spread, only: places_on
+    use cut_chain, only: chain_type, chains_of, part_type
+    use cut_clip, only: places_within
+    use cut_outline, only: cut_point_type, outline_type, piece_type
+    use cut_point, only: point_on_arc, turned_back
+    use cut_request, only: request_type
+    use geom_arc, only: arc_type, reversed
+    use geom_place, only: place_type
+    use geom_subarc, only: part_of, place_of_part
+    implicit none (type, external)
+    private
+
+    public :: station_outlines
+
+    !> A piece and what part of its section's arc it is.
+    type :: strand_type
+        type(piece_type) :: piece   !! as the section runs
+        type(arc_type) :: whole     !! the section's arc
+        type(place_type) :: first   !! where on it the piece begins
+        type(place_type) :: last    !! where it ends
+    end type strand_type
+
+contains
+
+    !> The outlines of a station. Sections that are a point there have none; sections without an arc
+    !> are told by `body_gap`.
+    !>
+    !> Fails with the causes of `places_on`.
+    pure subroutine station_outlines(body, request, tolerance, outlines, error)
+        type(body_type), intent(in) :: body                             !! finished
+        type(request_type), intent(in) :: request                       !! plane across STA
+        real(dp), intent(in) :: tolerance                               !! of meeting ends
+        type(outline_type), allocatable, intent(out) :: outlines(:)     !! in order of sections
+        type(error_type), allocatable, intent(out) :: error             !! see above
+        type(strand_type), allocatable :: strands(:)
+        type(chain_type), allocatable :: chains(:)
+        integer :: i
+
+        allocate (strands(0), chains(0))
+        strands = arcs_at(body, request)
+        chains = chains_of(parts_of(strands), tolerance)
+        allocate (outlines(size(chains)))
+        do i = 1, size(chains)
+            call assemble(body, request, strands, forward(chains(i)), outlines(i), error)
+            if (allocated(error)) return
+        end do
+    end subroutine station_outlines
+
+    !> The arcs of all sections at a station, as far as they are within the limits.
+    pure function arcs_at(body, request) result(strands)
+        type(body_type), intent(in) :: body         !! finished
+        type(request_type), intent(in) :: request   !! plane and limits
+        type(strand_type), allocatable :: strands(:)
+        type(strand_type) :: strand
+        type(arc_type) :: arc
+        type(error_type), allocatable :: error
+        type(place_type), allocatable :: ends(:)
+        real(dp) :: sta
+        integer :: i, k
+
+        allocate (strands(0), ends(0))
+        sta = request%plane%through(1)
+        do i = 1, size(body%sections)
+            associate (section => body%sections(i))
+                if (sta < section%from .or. sta > section%to) cycle
+                call section_arc(body%lines, section, sta, arc, error)
+            end associate
+            if (allocated(error)) cycle
+            ends = places_within(arc, request%limit(2:))
+            do k = 1, size(ends), 2
+                strand = strand_type(whole=arc, first=ends(k), last=ends(k + 1))
+                strand%piece = piece_type(i, .true., part_of(arc, ends(k), ends(k + 1)), sta, sta)
+                strands = [strands, strand]
+            end do
+        end do
+    end function arcs_at
+
+    !> The ends of arcs.
+    pure function parts_of(strands) result(parts)
+        type(strand_type), intent(in) :: strands(:) !! of a station
+        type(part_type) :: parts(size(strands))
+        integer :: i
+        do i = 1, size(strands)
+            associate (piece => strands(i)%piece)
+                parts(i)%ends(:, 1) = [piece%from, piece%arc%start]
+                parts(i)%ends(:, 2) = [piece%from, piece%arc%finish]
+            end associate
+        end do
+    end function parts_of
+
+    !> A chain in the sense in which its first section, in the body's order, runs forward.
+    pure type(chain_type) function forward(chain) result(turned)
+        type(chain_type), intent(in) :: chain !! any
+        turned = chain
+        if (chain%part(minloc(abs(chain%part), dim=1)) < 0) &
+            turned%part = -chain%part(size(chain%part):1:-1)
+    end function forward
+
+    !> The outline of a chain.
+    pure subroutine assemble(body, request, strands, chain, outline, error)
+        type(body_type), intent(in) :: body                     !! finished
+        type(request_type), intent(in) :: request               !! plane and rule
+        type(strand_type), intent(in) :: strands(:)             !! of the station
+        type(chain_type), intent(in) :: chain                   !! some of them
+        type(outline_type), intent(out) :: outline              !! see above
+        type(error_type), allocatable, intent(out) :: error     !! of `places_on`
+        type(cut_point_type), allocatable :: points(:)
+        integer :: i
+
+        allocate (outline%points(0))
+        outline%is_closed = chain%is_closed
+        outline%pieces = strands(abs(chain%part))%piece
+        do i = 1, size(chain%part)
+            call points_of(body, request, strands(abs(chain%part(i))), points, error)
+            if (allocated(error)) return
+            points%piece = i
+            if (chain%part(i) < 0) then
+                points = turned_back(points(size(points):1:-1))
+                outline%pieces(i)%arc = reversed(outline%pieces(i)%arc)
+            end if
+            outline%pieces(i)%first = size(outline%points) + 1
+            outline%points = [outline%points, points]
+            outline%pieces(i)%last = size(outline%points)
+        end do
+    end subroutine assemble
+
+    !> The points of an arc, in the order of the section.
+    pure subroutine points_of(body, request, strand, points, error)
+        type(body_type), intent(in) :: body                             !! finished
+        type(request_type), intent(in) :: request                       !! plane and rule
+        type(strand_type), intent(in) :: strand                         !! of the station
+        type(cut_point_type), allocatable, intent(out) :: points(:)     !! in order
+        type(error_type), allocatable, intent(out) :: error             !! of `places_on`
+        type(place_type), allocatable :: places(:)
+        type(place_type) :: place
+        integer :: i
+
+        call places_on(strand%piece%arc, request, places, error)
+        if (allocated(error)) return
+        allocate (points(size(places)))
+        do i = 1, size(places)
+            place = place_of_part(strand%whole, strand%first, strand%last, places(i))
+            points(i) = point_on_arc(body, strand%piece%section, strand%whole, place, &
+                request%plane, request%is_flange_forward)
+        end do
+    end subroutine points_of
+
+end module cut_station
