@@ -19,8 +19,8 @@ module app_computed_body
     use cut_plane, only: cut_kind
     use cut_request, only: request_type
     use deck_body_card, only: blame, warn
-    use deck_job, only: asked_body_type => body_type, asked_cut_type => cut_type, check, check_real, &
-        check_type, job_type, name_length
+    use deck_job, only: asked_body_type => body_type, asked_cut_type => cut_type, check, &
+        check_real, check_type, job_type, name_length
     implicit none (type, external)
     private
 
@@ -50,7 +50,8 @@ contains
 
         call cuts_of_body(job, number, computed, faults)
         stations = cut_at(computed%cuts, cut_kind%station, 1)
-        computed%heights = heights(computed%body, cut_at(computed%cuts, cut_kind%buttock, 2), stations)
+        computed%heights = heights(computed%body, cut_at(computed%cuts, cut_kind%buttock, 2), &
+            stations)
         computed%half_breadths = half_breadths(computed%body, &
             cut_at(computed%cuts, cut_kind%waterline, 3), stations)
         call measure_body(computed%body, stations, computed%measure)

@@ -1,5 +1,5 @@
-!> A 1970 deck run card by card: each card's tables are printed before the next card is read. What is
-!> wrong with a card is reported as it is met; the other cards run.
+!> A 1970 deck run card by card: each card's tables are printed before the next card is read. What
+!> is wrong with a card is reported as it is met; the other cards run.
 module app_run_conics
     use app_files, only: base_name
     use app_input, only: deck_input_type
@@ -62,7 +62,9 @@ contains
                 error%message = input%name//': '//error%message
                 return
             end if
-            if (outcome == found%conic) call run_conic(run, card, base_name(input%name), out, faults)
+            if (outcome == found%conic) then
+                call run_conic(run, card, base_name(input%name), out, faults)
+            end if
             call print_faults(faults, input%name, .false., messages)
             call messages%flush(ignored)
             if (faults%has_errors(0)) exit_status = status%faulty

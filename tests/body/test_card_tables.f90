@@ -1,4 +1,4 @@
-!> Which tables a card asks for, and that they are there: the rules of the CSV contract on real cards.
+!> Which tables a card asks for, and that they are there: the rules of the CSV contract on cards.
 program test_card_tables
     use base_fault, only: fault_list_type
     use base_kinds, only: dp, i64
@@ -33,7 +33,8 @@ program test_card_tables
     call tap%ok(size(tables) == 1 .and. faults%count == 0, 'a blank XI with ITYP: a Y table alone')
     if (size(tables) == 1) call tap%ok(tables(1)%axis == 2, 'and it steps Y')
     call run('1.')
-    if (size(tables) == 1) call tap%ok(size(tables(1)%row) == 6, 'a step that meets the end is it, once')
+    if (size(tables) == 1) call tap%ok(size(tables(1)%row) == 6, &
+        'a step that meets the end is it, once')
     call run('-1.   1.     1')
     call tap%ok(size(tables) == 1 .and. faults%count == 1, &
         'a wrong sign of XI is one fault and leaves the Y table')

@@ -14,7 +14,8 @@ program test_csv
     type(output_type) :: header, x_rows, y_rows
 
     call print_csv_header(header)
-    call tap%same(header%text(), 'card,axis,x,y,slope,curvature'//feed, 'the header is the contract''s')
+    call tap%same(header%text(), 'card,axis,x,y,slope,curvature'//feed, &
+        'the header is the contract''s')
 
     allocate (table%row(2))
     table%row(1)%x = -30.0e0_dp

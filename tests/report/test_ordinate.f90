@@ -28,7 +28,8 @@ program test_ordinate
     call tap%same(ordinate_text(form, 19.5625_dp, 9), '  1-07-4+', 'and a sixteenth')
     call tap%same(ordinate_text(form, 0.0_dp, 9), '   0-00-0', 'nothing')
     call tap%same(ordinate_text(form, -3.0_dp, 9), '  -0-03-0', 'below zero')
-    call tap%same(ordinate_text(form, -0.01_dp, 9), '   0-00-0', 'less than half a sixteenth below zero')
+    call tap%same(ordinate_text(form, -0.01_dp, 9), '   0-00-0', &
+        'less than half a sixteenth below zero')
     call tap%same(ordinate_text(form, 11.99_dp, 9), '   1-00-0', 'a carry through inches to feet')
     call tap%same(ordinate_text(form, 143.96875_dp, 9), '  12-00-0', 'half a sixteenth goes up')
     form = new_form('FEET', 'FIE', 3)

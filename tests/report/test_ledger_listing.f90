@@ -1,0 +1,44 @@
+!> The continuity ledger on pages: numbers in a row, the same in words below.
+program test_ledger_listing
+    use base_kinds, only: dp
+    use base_output, only: output_type
+    use body_ledger, only: joint_between, joint_type
+    use geom_arc, only: line_between
+    use report_ledger_listing, only: print_ledger
+    use report_ordinate, only: new_form
+    use report_page, only: page_type
+    use support_tap, only: tap_type
+    implicit none (type, external)
+
+    type(tap_type) :: tap
+    type(joint_type) :: joints(1)
+    type(joint_type), allocatable :: none(:)
+    type(page_type) :: page, blank_page
+    type(output_type) :: out, nothing
+
+    ! Two lines at right angles, slopes 1 and -1: the break is 90 degrees to the right.
+    joints(1) = joint_between(line_between([0.0_dp, 0.0_dp], [10.0_dp, 10.0_dp]), &
+        line_between([10.0_dp, 10.0_dp], [20.0_dp, 0.0_dp]))
+    joints(1)%line = 'UCL'
+    call page%set_heading('TITLE', 'deck.crd', 'INCHES')
+    call print_ledger(page, joints, new_form('INCHES', 'INCHES', 3), out)
+    call has('CONTINUITY LEDGER', 'it has a title')
+    call has('UCL       SIDE        10.000   0.00E+00 -90.00000', &
+        'a row names line, view and station, gap and break')
+    call has('SLOPE BREAKS BY -90. DEGREES', 'and says it in words')
+    allocate (none(0))
+    call print_ledger(blank_page, none, new_form('INCHES', 'INCHES', 3), nothing)
+    call tap%same(nothing%text(), '', 'without joints there is no ledger')
+    call tap%finish()
+
+contains
+
+    !> The page has this text on it.
+    subroutine has(part, name)
+        character(*), intent(in) :: part !! what must stand there
+        character(*), intent(in) :: name !! the check
+        call tap%ok(index(out%text(), part) > 0, name)
+        if (index(out%text(), part) == 0) call tap%note(out%text())
+    end subroutine has
+
+end program test_ledger_listing

@@ -1,0 +1,71 @@
+!> The title page of a body listing: datum, rounding, and every card in the order of the deck.
+program test_title_page
+    use base_error, only: error_type
+    use base_fault, only: fault_list_type
+    use base_output, only: output_type
+    use deck_job, only: job_type
+    use deck_job_reader, only: read_job
+    use deck_kind, only: opening_type, read_opening
+    use deck_source, only: source_type
+    use report_ordinate, only: new_form
+    use report_page, only: page_type
+    use report_title_page, only: print_title_page
+    use support_tap, only: tap_type
+    implicit none (type, external)
+
+    character, parameter :: feed = new_line('a')
+    character(*), parameter :: deck = 'TITLE   A BODY'//feed// &
+        'LINE    LCL     SIDE'//feed// &
+        '-30.    -10.    -.384   0.      -18.    50.     -24.1   -.0871'//feed// &
+        'LINE    MHB     SIDE'//feed// &
+        '-30.    -10.    .114    0.      -7.1    50.     -4.     .0523'//feed// &
+        'LINE    MHB     PLAN'//feed// &
+        '-30.    0.      .577    0.      11.9    50.     21.5    .1405'//feed// &
+        'SECTION LOWER   LCL     MHB     MHB     0.      999.999'//feed// &
+        'STATION 0.      30.     5.'//feed//'END'//feed
+    type(tap_type) :: tap
+    character(:), allocatable :: text
+
+    text = page_of(deck)
+    call has('POSITIVE AFT', 'the station axis is said')
+    call has('POSITIVE TO STARBOARD', 'the butt line axis is said')
+    call has('ORDINATES IN      INCHES, ROUNDED TO 3 DECIMALS', 'unit and rounding are said')
+    call has('ABOUT BL 0', 'symmetry is said')
+    call has('     2  LINE    LCL     SIDE'//feed//'     3  -30.    -10.    -.384', &
+        'cards are echoed with their lines')
+    call has('     9  STATION 0.      30.     5.', 'to the last')
+    call tap%ok(index(text, '     3  ') < index(text, '     4  ') .and. &
+        index(text, '     7  ') < index(text, '     8  '), 'in the order of the deck')
+    call tap%finish()
+
+contains
+
+    !> The title page of a deck.
+    function page_of(deck) result(text)
+        character(*), intent(in) :: deck !! the deck
+        character(:), allocatable :: text
+        type(source_type) :: source
+        type(opening_type) :: opening
+        type(job_type) :: job
+        type(fault_list_type) :: faults
+        type(error_type), allocatable :: error
+        type(page_type) :: page
+        type(output_type) :: out
+
+        call source%from_text(deck)
+        call read_opening(source, opening, faults, error)
+        call read_job(source, opening%heading, job, faults, error)
+        call page%set_heading('TITLE', 'deck.crd', 'INCHES')
+        call print_title_page(page, job, new_form(job%units, job%output, job%digits), out)
+        text = out%text()
+    end function page_of
+
+    !> The page has this text on it.
+    subroutine has(part, name)
+        character(*), intent(in) :: part !! what must stand there
+        character(*), intent(in) :: name !! the check
+        call tap%ok(index(text, part) > 0, name)
+        if (index(text, part) == 0) call tap%note(text)
+    end subroutine has
+
+end program test_title_page
