@@ -1,12 +1,10 @@
 !> From the cut cards of a job to the cuts asked of a body: where deck and cut layers meet. A
 !> stepped STATION card asks for one cut a station.
 module app_requests
-    use base_constants, only: largest_table
     use base_decimal, only: decimal_type, grid_type, new_grid, to_real
     use base_error, only: error_type
     use base_fault, only: fault_list_type
     use base_kinds, only: dp, i64
-    use base_text, only: to_text
     use cut_plane, only: buttock_plane, oblique_plane, plane_through, plane_type, station_plane, &
         waterline_plane
     use cut_request, only: limit_type, request_type
@@ -95,14 +93,14 @@ contains
         end if
     end function limit_of
 
-    !> The stations of a STATION card: its list, or its steps with both ends.
+    !> The stations of a STATION card: its list, or its steps with both ends. The reader of the deck
+    !> has seen to their number.
     subroutine stations_of(card, stations, faults)
         type(cut_type), intent(in) :: card                  !! a STATION card
         real(dp), allocatable, intent(out) :: stations(:)   !! deck units, in the card's order
         type(fault_list_type), intent(inout) :: faults      !! what is wrong is added
         type(grid_type) :: grid
         type(error_type), allocatable :: error
-        real(dp) :: steps
         integer(i64) :: k, last
 
         allocate (stations(0))
@@ -115,13 +113,7 @@ contains
             call blame(card%card, 4, error%message, faults)
             return
         end if
-        steps = grid%steps_to(cut_real(card, 2))
-        if (steps > real(largest_table, dp)) then
-            call blame(card%card, 4, 'the step gives more than '//to_text(largest_table)// &
-                ' stations; take a larger one', faults)
-            return
-        end if
-        last = nint(steps, i64)
+        last = nint(grid%steps_to(cut_real(card, 2)), i64)
         do while ((cut_real(card, 2) - grid%ordinate(last))*cut_real(card, 3) <= 0.0_dp)
             last = last - 1
         end do
