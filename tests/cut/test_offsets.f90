@@ -11,7 +11,7 @@ program test_offsets
     use support_tap, only: tap_type
     implicit none (type, external)
 
-    !> A cylinder of radius 5 from STA 0 to 20, lower and upper quarter, shoulders at (3, -4), (3, 4).
+    !> A cylinder of radius 5 from STA 0 to 20: two quarters, shoulders at (3, -4) and (3, 4)
     character(*), parameter :: cylinder = &
         'LINE,LCL,SIDE|STRAIGHT,0.,-5.,20.,-5.|LINE,UCL,SIDE|STRAIGHT,0.,5.,20.,5.|'// &
         'LINE,MHB,SIDE|STRAIGHT,0.,0.,20.,0.|LINE,MHB,PLAN|STRAIGHT,0.,5.,20.,5.|'// &
