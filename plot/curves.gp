@@ -15,7 +15,8 @@ shape = (y_high - y_low)/(x_high - x_low)
 box_width  = shape <= 1 ? 660.0 : floor(660/shape)
 box_height = shape <= 1 ? floor(660*shape) : 660.0
 
-# The legend stands to the right: columns of lines that fit beside the box.
+# The legend stands to the right: columns of lines that fit beside the box. Of more than 120 curves
+# only the lines are drawn.
 longest_name = 34
 short(text) = strlen(text) > longest_name ? text[1:longest_name - 3].'...' : text
 widest = 0
@@ -32,8 +33,7 @@ if (top + box_height + below < 60 + 20*lines) { below = 60 + 20*lines - top - bo
 
 # As text: two characters side by side are as wide as one is high.
 text_columns = 79
-text_rows = floor(66*shape/2) + 10 + legends
-if (text_rows > 100) { text_rows = 100 }
+text_rows = (shape < 1.8 ? floor(33*shape) : 60) + 10 + legends
 
 load 'style.gp'
 
@@ -57,8 +57,12 @@ data = picture.'.dat'
 arcs = 0; points = 1; tangents = 2; figures = 3
 dot = format eq 'txt' ? 15 : 7     # the letter O, a filled circle
 
-plot data index tangents using 1:2:3:4:5 with vectors nohead linewidth 0.9 dashtype solid linecolor variable notitle, \
-     for [i=1:curves] data index arcs every :::(i-1)::(i-1) using 1:2 with lines linetype i title short(name[i]), \
-     data index points using 1:2:3 with points pointtype dot pointsize 0.45 linecolor variable notitle, \
-     data index figures using 1:2:(sprintf('%d', $3)) with labels textcolor rgb ink noenhanced notitle
+if (legends > 0) {
+    plot data index tangents using 1:2:3:4:5 with vectors nohead linewidth 0.9 dashtype solid linecolor variable notitle, \
+         for [i=1:curves] data index arcs every :::(i-1)::(i-1) using 1:2 with lines linetype i title short(name[i]), \
+         data index points using 1:2:3 with points pointtype dot pointsize 0.45 linecolor variable notitle, \
+         data index figures using 1:2:(sprintf('%d', $3)) with labels textcolor rgb ink noenhanced notitle
+} else {
+    plot data index arcs using 1:2:(column(-1) + 1) with lines linewidth 1 linecolor variable notitle
+}
 unset output

@@ -35,7 +35,7 @@ contains
 
     !> Draws a deck. The exit status is `status%done`, or `status%faulty` where a card was in error.
     !>
-    !> Fails with `cause%usage` where deck or folder is missing, and with `cause%file_trouble` where
+    !> Fails with `cause%usage` where the folder is `-`, and with `cause%file_trouble` where
     !> the deck can't be read, a file not be written, or gnuplot is missing or fails. Data and
     !> scripts need no gnuplot.
     subroutine plot_deck(options, exit_status, messages, error)
@@ -71,9 +71,7 @@ contains
         plot%format = options%format
         if (plot%format == '') plot%format = 'svg'
         plot%folder = options%output
-        if (size(options%operand) == 0) then
-            call fail(error, cause%usage, 'loft plot needs a deck; - is standard input')
-        else if (plot%folder == '-') then
+        if (plot%folder == '-') then
             call fail(error, cause%usage, '-o -: pictures go to a folder; give its name')
         else
             plot%deck = options%operand(1)%text
@@ -208,10 +206,10 @@ contains
             if (plot%picture(i)%count == 0) cycle
             call draw(plot%folder, plot%picture(i)%name, plot%format, trouble)
             if (.not. allocated(trouble)) call show(plot, plot%picture(i)%name, answer, trouble)
-            if (allocated(trouble)) call move_alloc(trouble, error)
+            if (allocated(trouble) .and. .not. allocated(error)) call move_alloc(trouble, error)
         end do
         call answer%flush(trouble)
-        if (allocated(trouble)) call move_alloc(trouble, error)
+        if (allocated(trouble) .and. .not. allocated(error)) call move_alloc(trouble, error)
     end subroutine draw_pictures
 
     !> Says that a picture is drawn: its name, or, as text, itself.

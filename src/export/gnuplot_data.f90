@@ -93,7 +93,7 @@ contains
         integer :: i
 
         call out%line('# index 3, figures: x y number')
-        figures = point_figures(picture, span)
+        allocate (figures, source=point_figures(picture, span))
         do i = 1, size(figures)
             call out%line(pair(figures(i)%at)//' '//to_text(figures(i)%number))
         end do

@@ -1,5 +1,5 @@
 !> Text and numbers as gnuplot reads them. Text of a deck may be any bytes; here it becomes
-!> harmless: a single-quoted string, in which gnuplot looks for no escapes, macros or commands.
+!> harmless: one line of sound UTF-8, in which gnuplot finds no quotes, macros or commands.
 module export_gnuplot_text
     use base_kinds, only: dp
     implicit none (type, external)
@@ -7,9 +7,15 @@ module export_gnuplot_text
 
     public :: quoted, plain, number_text
 
+    !> What stands for itself in a gnuplot string.
+    character(*), parameter :: harmless = 'ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz'// &
+        '0123456789 .,:;+-*/=()<>_&!?'
+
 contains
 
-    !> A text as a gnuplot string.
+    !> A text as a gnuplot string: in double quotes, every byte that could mean something to gnuplot
+    !> by its octal number. (A quote in single quotes, doubled or joined, makes gnuplot 5.4 lose
+    !> count of them, and it then obeys an `@`.)
     pure function quoted(text)
         character(*), intent(in) :: text !! any bytes
         character(:), allocatable :: quoted
@@ -17,13 +23,23 @@ contains
         integer :: i
 
         safe = plain(text)
-        quoted = ''''
+        quoted = '"'
         do i = 1, len(safe)
-            if (safe(i:i) == '''') quoted = quoted//''''
-            quoted = quoted//safe(i:i)
+            if (index(harmless, safe(i:i)) > 0 .or. ichar(safe(i:i)) > 127) then
+                quoted = quoted//safe(i:i)
+            else
+                quoted = quoted//octal(safe(i:i))
+            end if
         end do
-        quoted = quoted//''''
+        quoted = quoted//'"'
     end function quoted
+
+    !> A byte by its number, as in a double-quoted string: `\047`.
+    pure function octal(byte) result(text)
+        character, intent(in) :: byte !! any byte
+        character(4) :: text
+        write (text, '(a,o3.3)') '\', ichar(byte)
+    end function octal
 
     !> A text as sound UTF-8 on one line: a control byte becomes a blank, a byte that is no UTF-8 a
     !> question mark.

@@ -24,7 +24,7 @@ module export_marks
     !> which equal figures would print over each other, and that at which a curve would run through
     !> a figure: in parts of the span of the picture.
     real(dp), parameter :: half_tangent = 0.05_dp, beyond_tangent = 0.065_dp, &
-        beside_point = 0.025_dp, same_place = 0.02_dp, half_figure = 0.014_dp
+        beside_point = 0.025_dp, same_place = 0.025_dp, half_figure = 0.014_dp
     !> Curves of a picture beyond which figures would only make it black.
     integer, parameter :: most_curves = 120
 
