@@ -7,6 +7,7 @@ module cut_make
     use body_body, only: body_type, mirrored_body
     use body_gap, only: gap_type, section_gaps
     use body_section, only: trace_at, trace_type
+    use cut_inside, only: inside_outlines
     use cut_lengthwise, only: lengthwise_outlines
     use cut_meeting, only: is_across
     use cut_outline, only: cut_type, note_type, outline_type
@@ -51,10 +52,12 @@ contains
             call lengthwise_outlines(whole, request, cut%outlines, error)
         end if
         if (allocated(error)) return
+        call note_gaps(body, request, cut%notes)
+        if (request%skin > 0.0_dp) call inside_outlines(mirrored_body(whole), cut)
         cut%disagreement = largest_disagreement(whole, cut%plane, cut%outlines)
         count = size(body%sections)
         call name_originals(count, cut%outlines)
-        call note_gaps(body, request, cut%notes)
+        call name_originals(count, cut%inside)
     end subroutine make_cut
 
     !> True for a plane that does not cut both halves of a symmetric body alike, or only to port.

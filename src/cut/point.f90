@@ -16,6 +16,7 @@ module cut_point
     private
 
     public :: point_on_track, point_on_arc, tangent_of, turned_back
+    public :: across, left_of, give_bevel
 
     !> Sine of the least angle between plane and skin at which points are moved along the skin.
     real(dp), parameter :: steepest = 1.0e-3_dp
@@ -129,18 +130,27 @@ contains
         point%curvature = curvature(arc, place)
     end function point_on_arc
 
-    !> Gives a point the skin's normal and the bevel.
+    !> Gives a point the skin's normal, where it has one, and the bevel.
     pure subroutine face(skin, plane, is_forward, point)
         type(skin_type), intent(in) :: skin             !! at the point
         type(plane_type), intent(in) :: plane           !! any plane
         logical, intent(in) :: is_forward               !! the flange is on the forward side
         type(cut_point_type), intent(inout) :: point    !! gets them
 
-        if (.not. skin%has_normal) return
-        point%has_normal = .true.
-        point%normal = skin%normal
-        point%bevel = bevel_of(skin%normal, flange_normal(plane, is_forward))
+        if (skin%has_normal) call give_bevel(skin%normal, plane, is_forward, point)
     end subroutine face
+
+    !> Gives a point a normal and its bevel.
+    pure subroutine give_bevel(normal, plane, is_forward, point)
+        real(dp), intent(in) :: normal(3)               !! outward unit normal
+        type(plane_type), intent(in) :: plane           !! any plane
+        logical, intent(in) :: is_forward               !! the flange is on the forward side
+        type(cut_point_type), intent(inout) :: point    !! gets them
+
+        point%has_normal = .true.
+        point%normal = normal
+        point%bevel = bevel_of(normal, flange_normal(plane, is_forward))
+    end subroutine give_bevel
 
     !> The bevel -asin(n . f) in degrees, without loss where it is near a right angle.
     pure real(dp) function bevel_of(n, f) result(bevel)
