@@ -58,7 +58,8 @@ contains
         call check_components(job%body(number), computed, faults)
     end subroutine compute_body
 
-    !> Builds a body and cuts it; no measures, no tables.
+    !> Builds a body and cuts it; no measures, no tables. A body without sections is not cut: why it
+    !> has none has been said.
     subroutine cuts_of_body(job, number, computed, faults)
         type(job_type), intent(in) :: job                       !! what the deck asks for
         integer, intent(in) :: number                           !! which of its bodies
@@ -70,6 +71,7 @@ contains
         allocate (computed%cuts(0), computed%clearances(0))
         computed%sections = computed%body%sections%name
         call report_gaps(job%body(number), computed%body, faults)
+        if (size(computed%body%sections) == 0) return
         do i = 1, size(job%body(number)%cut)
             call add_cuts(job%body(number)%cut(i), computed, faults)
         end do
@@ -97,7 +99,7 @@ contains
         end do
     end subroutine report_gaps
 
-    !> Makes the cuts of one card.
+    !> Makes the cuts of one card. What is wrong with several of them in the same way is said once.
     subroutine add_cuts(asked, computed, faults)
         type(asked_cut_type), intent(in) :: asked               !! the card
         type(computed_body_type), intent(inout) :: computed     !! gets the cuts
@@ -105,13 +107,16 @@ contains
         type(request_type), allocatable :: requests(:)
         type(error_type), allocatable :: error
         type(cut_type) :: made
+        character(:), allocatable :: said
         integer :: i, k
 
+        said = ''
         call requests_of(asked, requests, faults)
         do i = 1, size(requests)
             call make_cut(computed%body, requests(i), made, error)
             if (allocated(error)) then
-                call blame(asked%card, 1, error%message, faults)
+                if (error%message /= said) call blame(asked%card, 1, error%message, faults)
+                said = error%message
                 cycle
             end if
             do k = 1, size(made%notes)

@@ -187,17 +187,20 @@ contains
         if (point%has_normal) text = text//fixed(point%bevel, bevel_width, bevel_decimals)
     end function row
 
-    !> The slope of a point in its columns.
+    !> The slope of a point in its columns; a steep one has fewer decimals.
     pure function slope_figure(point, width) result(text)
         type(cut_point_type), intent(in) :: point   !! the point
         integer, intent(in) :: width                !! columns
         character(:), allocatable :: text
+        integer :: figures
+
         if (.not. point%has_slope) then
             text = right('', width)
         else if (point%slope%is_vertical) then
             text = right('VERTICAL', width)
         else
-            text = fixed(point%slope%value, width, slope_decimals)
+            figures = floor(log10(max(10.0_dp, abs(point%slope%value))))
+            text = fixed(point%slope%value, width, max(0, slope_decimals + 1 - figures))
         end if
     end function slope_figure
 
