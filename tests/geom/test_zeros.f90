@@ -1,0 +1,41 @@
+!> Zeros of functions whose zeros are known: simple ones, close pairs, touching, beside an end.
+program test_zeros
+    use base_kinds, only: dp
+    use geom_zeros, only: sample_points, zero_between, zeros_of
+    use support_polynomial, only: product_type
+    use support_tap, only: tap_type
+    implicit none (type, external)
+
+    type(tap_type) :: tap
+    real(dp), allocatable :: x(:)
+
+    x = zeros_of(product_type([0.3_dp]), 0.0_dp, 1.0_dp, 0.0_dp)
+    call tap%ok(size(x) == 1, 'a line has one zero')
+    call tap%near(x(1), 0.3_dp, 1.0e-16_dp, 'to the last bit')
+    x = zeros_of(product_type([0.1_dp, 0.5_dp, 0.9_dp]), 0.0_dp, 1.0_dp, 0.0_dp)
+    call tap%ok(size(x) == 3, 'a cubic has three')
+    call tap%near(maxval(abs(x - [0.1_dp, 0.5_dp, 0.9_dp])), 0.0_dp, 1.0e-15_dp, 'in order')
+    x = zeros_of(product_type([0.43_dp, 0.4301_dp]), 0.0_dp, 1.0_dp, 0.0_dp)
+    call tap%ok(size(x) == 2, 'a pair closer than the samples is found by the extreme between')
+    call tap%near(maxval(abs(x - [0.43_dp, 0.4301_dp])), 0.0_dp, 1.0e-12_dp, 'each of the pair')
+    x = zeros_of(product_type([0.43_dp, 0.43_dp]), 0.0_dp, 1.0_dp, 1.0e-15_dp)
+    call tap%ok(size(x) == 1, 'a touching zero is found once')
+    call tap%near(x(1), 0.43_dp, 1.0e-7_dp, 'where it touches')
+    x = zeros_of(product_type([0.5_dp, 0.5_dp]), 0.0_dp, 1.0_dp, 1.0e-15_dp)
+    call tap%ok(size(x) == 1, 'also where a sample is zero')
+    x = zeros_of(product_type([1.0e-4_dp]), 0.0_dp, 1.0_dp, 0.0_dp)
+    call tap%ok(size(x) == 1, 'one between an end and the first sample')
+    x = zeros_of(product_type([-0.1_dp, 1.1_dp]), 0.0_dp, 1.0_dp, 0.0_dp)
+    call tap%ok(size(x) == 0, 'none outside')
+    x = zeros_of(product_type([0.0_dp, 1.0_dp]), 0.0_dp, 1.0_dp, 1.0e-15_dp)
+    call tap%ok(size(x) == 0, 'the ends themselves are none')
+    x = zeros_of(product_type([0.5_dp]), 0.0_dp, 1.0_dp, 1.0_dp)
+    call tap%ok(size(x) == 0, 'nothing but noise has none')
+    call tap%near(zero_between(product_type([1000.25_dp]), 0.0_dp, 2000.0_dp), 1000.25_dp, 0.0_dp, &
+        'a bracket is closed to the last bit')
+    x = sample_points(2.0_dp, 4.0_dp)
+    call tap%ok(all(x > 2.0_dp .and. x < 4.0_dp), 'samples are inside')
+    call tap%ok(all(x(2:) > x(:size(x) - 1)), 'and in order')
+    call tap%ok(maxval(x(2:) - x(:size(x) - 1)) < 2.0_dp/40.0_dp, 'a fortieth apart at the most')
+    call tap%finish()
+end program test_zeros
