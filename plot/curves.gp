@@ -26,8 +26,31 @@ legends = curves <= 4*most_lines ? curves : 0
 columns = (legends + most_lines - 1)/most_lines
 column_width = 45 + 8*widest
 
-left = 84.0; top = 70.0; below = 72.0
+# Steps of the axes, 1, 2 or 5 times a power of ten: at most as many as have room for their numbers.
+power(x) = 10.0**floor(log10(x))
+nice(x) = x <= power(x) ? power(x) : x <= 2*power(x) ? 2*power(x) : x <= 5*power(x) ? 5*power(x) : 10*power(x)
+number(x, step) = sprintf('%.10g', floor(x/step)*step)
+letters_in_box = format eq 'txt' ? 66 : box_width/8
+x_letters = 0
+do for [i=0:10] {
+    length = strlen(number(x_low + i*(x_high - x_low)/10, nice((x_high - x_low)/10)))
+    if (length > x_letters) { x_letters = length }
+}
+most_steps = floor(letters_in_box/(x_letters + 2))
+x_step = nice((x_high - x_low)/(most_steps < 10 ? (most_steps > 1 ? most_steps : 1) : 10))
+y_steps = box_height < 400 ? 8 : 10
+y_step = nice((y_high - y_low)/y_steps)
+y_letters = 0
+do for [i=0:10] {
+    length = strlen(number(y_low + i*(y_high - y_low)/10, y_step))
+    if (length > y_letters) { y_letters = length }
+}
+
+left = 52.0 + 8*y_letters; top = 70.0; below = 72.0
 right = 30.0 + columns*column_width
+beside = 4.0*strlen(heading) - box_width/2      # the title may be wider than the box
+if (left < beside) { left = beside }
+if (right < beside) { right = beside }
 lines = legends < most_lines ? legends : most_lines
 if (top + box_height + below < 60 + 20*lines) { below = 60 + 20*lines - top - box_height }
 
@@ -40,6 +63,8 @@ load 'style.gp'
 set size ratio -1
 set xrange [x_low:x_high]
 set yrange [y_low:y_high]
+set xtics x_step
+set ytics y_step
 set xlabel x_axis textcolor rgb ink
 set ylabel y_axis textcolor rgb ink
 title_text = heading."\n".view
