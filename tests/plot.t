@@ -5,7 +5,8 @@ cd "${ROOT:?}" || exit 1
 loft=${LOFT:?} deck=$PWD/cards/sae700202.crd plot=$PWD/plot
 work=$(mktemp -d) && trap 'rm -rf "$work"' EXIT
 cd "$work" || exit 1
-unset LOFT_PLOT CDPATH
+unset CDPATH
+LOFT_PLOT=$plot && export LOFT_PLOT
 
 # Runs loft plot, keeps output, messages and status.
 plot() {
@@ -62,9 +63,9 @@ refused 'DIR is -' '-o -' "$deck" -o -
 refused 'the deck is missing' 'loft: none.crd: ' none.crd
 refused 'the deck is a folder' 'loft: tools: ' tools
 refused 'no deck is named' 'deck'
-LOFT_PLOT=/no/such export LOFT_PLOT
+LOFT_PLOT=/no/such
 refused 'the scripts are missing' '/no/such' "$deck"
-unset LOFT_PLOT
+LOFT_PLOT=$plot
 
 printf '* line\nbad\n' > bad.crd
 plot bad.crd
@@ -147,6 +148,7 @@ ok $? 'CDPATH leads nobody astray' "$(seen)"
 unset CDPATH
 
 # Where the scripts are found: beside an installed program, or where LOFT_PLOT says.
+unset LOFT_PLOT
 mkdir -p usr/bin usr/share/loft && cp "$loft" usr/bin/loft && cp -r "$plot" usr/share/loft/plot
 usr/bin/loft plot "$deck" -o installed > out 2> err && [ -s installed/side.svg ]
 ok $? 'an installed program finds its scripts' "$(cat err)"
@@ -154,9 +156,18 @@ ok $? 'an installed program finds its scripts' "$(cat err)"
 ok $? 'also when called by PATH' "$(cat err)"
 ln -s usr/bin/loft linked && ./linked plot "$deck" -o by-link > out 2> err && [ -s by-link/side.svg ]
 ok $? 'also when called by a link' "$(cat err)"
+mkdir -p tree/build/debug && cp "$loft" tree/build/loft && cp "$loft" tree/build/debug/loft && cp -r "$plot" tree/plot
+for built in loft debug/loft; do
+    "tree/build/$built" plot "$deck" -o in-tree > out 2> err
+    [ -s in-tree/side.svg ]
+    ok $? "so does build/$built" "$(cat err)"
+    rm -rf in-tree
+done
 mkdir own && sed "s/#0072b2/#123456/" "$plot/style.gp" > own/style.gp && cp "$plot/curves.gp" own
-LOFT_PLOT=$work/own "$loft" plot "$deck" -o owned > out 2> err && grep -q 'rgb( 18,  52,  86)' owned/side.svg
+LOFT_PLOT=$work/own && export LOFT_PLOT
+plot "$deck" -o owned; grep -q 'rgb( 18,  52,  86)' owned/side.svg
 ok $? 'LOFT_PLOT brings the style of the house' "$(cat err)"
+LOFT_PLOT=$plot
 
 # --- hard decks ---------------------------------------------------------------------------------
 
