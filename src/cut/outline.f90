@@ -7,6 +7,8 @@
 !> runs counter-clockwise in its view; its last point is not its first again. In a station the order
 !> is that of the sections, from start line to end line.
 !>
+!> A station at the point of a nose is an outline of that point, without pieces.
+!>
 !> Where two sections meet in an outline both give the point, the one that ends first: normal and
 !> slope may differ.
 module cut_outline

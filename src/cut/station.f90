@@ -3,7 +3,7 @@ module cut_station
     use base_error, only: error_type
     use base_kinds, only: dp
     use body_body, only: body_type
-    use body_section, only: section_arc
+    use body_section, only: is_point, section_arc, trace_at, trace_type
     use cut_arc_spread, only: places_on
     use cut_chain, only: chain_type, chains_of, part_type
     use cut_clip, only: places_within
@@ -28,8 +28,8 @@ module cut_station
 
 contains
 
-    !> The outlines of a station. Sections that are a point there have none; sections without an arc
-    !> are told by `body_gap`.
+    !> The outlines of a station. Where the body ends in a point there, that point is the outline;
+    !> sections without an arc are told by `body_gap`.
     !>
     !> Fails with the causes of `places_on`.
     pure subroutine station_outlines(body, request, tolerance, outlines, error)
@@ -50,7 +50,35 @@ contains
             call assemble(body, request, strands, forward(chains(i)), outlines(i), error)
             if (allocated(error)) return
         end do
+        if (size(strands) == 0) call add_point(body, request, outlines)
     end subroutine station_outlines
+
+    !> Where every section at a station has shrunk to a point, adds the first such point as an
+    !> outline without pieces. It has neither slope nor normal.
+    pure subroutine add_point(body, request, outlines)
+        type(body_type), intent(in) :: body                             !! finished
+        type(request_type), intent(in) :: request                       !! plane across STA
+        type(outline_type), allocatable, intent(inout) :: outlines(:)   !! gets it
+        type(outline_type) :: outline
+        type(trace_type) :: trace
+        real(dp) :: sta
+        integer :: i
+
+        sta = request%plane%through(1)
+        do i = 1, size(body%sections)
+            associate (section => body%sections(i))
+                if (sta < section%from .or. sta > section%to) cycle
+                trace = trace_at(body%lines, section, sta)
+            end associate
+            if (.not. is_point(trace)) cycle
+            allocate (outline%pieces(0), outline%points(1))
+            outline%points(1)%section = i
+            outline%points(1)%at = [sta, trace%start%point]
+            outline%points(1)%uv = trace%start%point
+            outlines = [outlines, outline]
+            return
+        end do
+    end subroutine add_point
 
     !> The arcs of all sections at a station, as far as they are within the limits.
     pure function arcs_at(body, request) result(strands)
