@@ -11,11 +11,13 @@ program book
     use, intrinsic :: iso_fortran_env, only: output_unit
     use base_kinds, only: dp
     use base_text, only: right, to_text
+    use body_body, only: body_type
     use report_digits, only: fixed
     use support_book, only: characters_wrong, figure_type, read_coefficients, read_figures, &
         text_file
     use support_book_card, only: book_card_type, exact_figure, is_of_contour, printed_figure, &
         run_cards, value_of
+    use support_book_nose, only: is_of_nose, nose_of_deck, off_nose, point_of
     implicit none (type, external)
 
     !> What the closing lines count.
@@ -42,6 +44,7 @@ program book
     call compare(read_figures('golden/book/tables.csv'), ordinate_decimals, ordinates)
     call say('')
     call close_count()
+    call compare_nose(read_figures('golden/book/tables.csv'))
     if (ordinates%same < ordinates%figures .or. coefficients%same < coefficients%figures) &
         stop 1, quiet=.true.
 
@@ -154,6 +157,31 @@ contains
         character(:), allocatable :: text
         text = to_text(counted%same)//' of '//to_text(counted%figures)
     end function of
+
+    !> Prints how far the points of table 4 are from the nose as LOFT makes it of the control lines
+    !> of table 1, without a figure copied from one card to the next.
+    subroutine compare_nose(figures)
+        type(figure_type), intent(in) :: figures(:) !! tables 2 and 4
+        type(body_type) :: nose
+        real(dp) :: distance, worst
+        integer :: i
+
+        call nose_of_deck(nose)
+        call say('')
+        call say('Table 4 and the nose of cards/nose.crd, which is made of table 1 alone')
+        call say(right('STA', 9)//right('BL', 15)//right('WL', 15)//right('normal to skin, in', 22))
+        worst = 0.0_dp
+        do i = 1, size(figures)
+            if (.not. is_of_nose(figures(i))) cycle
+            associate (at => point_of(figures(i)))
+                call off_nose(nose, at, distance)
+                call say(fixed(at(1), 9, 0)//fixed(at(2), 15, 3)//fixed(at(3), 15, 3)// &
+                    fixed(distance, 22, 5))
+            end associate
+            worst = max(worst, abs(distance))
+        end do
+        call say('Largest distance of a printed point from that nose:'//fixed(worst, 9, 5)//' in')
+    end subroutine compare_nose
 
     !> Prints a length in inches and in millimetres.
     subroutine say_length(words, inches)

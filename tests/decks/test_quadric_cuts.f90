@@ -74,7 +74,8 @@ contains
         type(computed_body_type) :: it
         call computed_deck(tap, 'cone', it)
         call prove_cuts(tap, 'cone', it, cone)
-        call prove_outlines(tap, 'cone', it, [1, 1, 1, 1, 1, 1, 1, 2, 1, 1, 1, 1, 1, 1], closed=[13, 14])
+        call prove_outlines(tap, 'cone', it, &
+            [1, 1, 1, 1, 1, 1, 1, 2, 1, 1, 1, 1, 1, 1], closed=[13, 14])
         call prove_steps(tap, 'cone', it%cuts(8), [40, 100, 10])
         call prove_steps(tap, 'cone', it%cuts(9), [60, 100, 8])
         call prove_steps(tap, 'cone', it%cuts(11), [50, 100, 10])
@@ -89,14 +90,17 @@ contains
         uneven = 0.0_dp
         do i = 1, 9
             associate (points => it%cuts(i)%outlines(1)%points)
-                call tap%ok(size(points) == 50, 'sphere: 25 points on each arc of cut '//to_text(i))
+                call tap%ok(size(points) == 50, &
+                    'sphere: 25 points on each arc of cut '//to_text(i))
                 chord = norm2(points(2)%at - points(1)%at)
                 do k = 2, 50
-                    if (k /= 26) call take(uneven, norm2(points(k)%at - points(k - 1)%at)/chord - 1.0_dp)
+                    if (k == 26) cycle
+                    call take(uneven, norm2(points(k)%at - points(k - 1)%at)/chord - 1.0_dp)
                 end do
             end associate
         end do
-        call tap%near(uneven, 0.0_dp, 10.0_dp*asked, 'sphere: points of a station are equally spaced')
+        call tap%near(uneven, 0.0_dp, 10.0_dp*asked, &
+            'sphere: points of a station are equally spaced')
     end subroutine prove_even_arcs
 
     !> The sagitta of a chord between neighbours is, to second order, curvature * chord**2/8.
@@ -140,7 +144,8 @@ contains
             end do
         end do
         call tap%ok(points > 10, 'sphere: cut '//to_text(number)//' has an inside')
-        call tap%near(off, 0.0_dp, asked, 'sphere: inside of cut '//to_text(number)//' on its sphere')
+        call tap%near(off, 0.0_dp, asked, &
+            'sphere: inside of cut '//to_text(number)//' on its sphere')
         call tap%near(off_plane, 0.0_dp, asked, 'sphere: and in its plane')
     end subroutine prove_inside
 

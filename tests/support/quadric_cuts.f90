@@ -26,7 +26,7 @@ module support_quadric_cuts
         logical :: is_whole = .true.        !! every point has all its values
     end type worst_type
 
-    !> What all is compared to, deck units or radians or relative: coordinates are of the order of 100.
+    !> What all is compared to, deck units, radians or relative: coordinates are some 100.
     real(dp), parameter :: asked = 1.0e-10_dp
     real(dp), parameter :: degree = acos(-1.0_dp)/180.0_dp
 
