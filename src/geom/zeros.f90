@@ -48,7 +48,7 @@ contains
         real(dp), intent(in) :: noise         !! magnitude that is nothing but round-off
         real(dp), allocatable :: zeros(:)
         real(dp) :: x(samples + 2), y(samples + 2), extreme
-        integer :: i
+        integer :: i, clear
 
         allocate (zeros(0))
         x = [from, sample_points(from, to), to]
@@ -56,10 +56,13 @@ contains
             y(i) = f%at(x(i))
         end do
         if (all(abs(y) <= noise)) return
+        clear = findloc(abs(y) > noise, .true., dim=1)
         call settle(y, noise)
         if (changes(y(1), y(2))) zeros = [zero_between(f, x(1), x(2))]
+        if (abs(y(2)) > noise) clear = 2
         do i = 3, size(x)
-            if (changes(y(i - 1), y(i))) zeros = [zeros, zero_between(f, x(i - 1), x(i))]
+            if (changes(y(i - 1), y(i))) zeros = [zeros, zero_between(f, x(clear), x(i))]
+            if (abs(y(i)) > noise) clear = i
             if (.not. is_nearing(y(i - 2:i))) cycle
             extreme = least_magnitude(f, x(i - 2), x(i), sign(1.0_dp, y(i)))
             if (abs(f%at(extreme)) <= noise) then
