@@ -20,14 +20,14 @@ module base_tolerances
     real(dp), parameter, public :: quadrature_tolerance = 1.0e-11_dp
     !> Relative error asked of the moments of a segment, so that sums of many stay exact enough.
     real(dp), parameter, public :: segment_tolerance = 1.0e-13_dp
-    !> How far arcs of a section may miss each other and still close it: more than any rounding, less
-    !> than can be built. Relative to the longest chord of its arcs.
+    !> How far arcs of a section may miss each other and still close it: more than any rounding,
+    !> less than can be built. Relative to the longest chord of its arcs.
     real(dp), parameter, public :: outline_gap = 1.0e-6_dp
-    !> Step of u or t (0 to 1) below which the search for a nearest point ends; the distance, which is
-    !> flat there, is good to rounding long before.
+    !> Step of u or t (0 to 1) below which the search for a nearest point ends; the distance, which
+    !> is flat there, is good to rounding long before.
     real(dp), parameter, public :: foot_tolerance = 1.0e-13_dp
-    !> Relative error asked of the lengths that spread points along an outline: where they stand is a
-    !> matter of choice, that they are on the outline is not.
+    !> Relative error asked of the lengths that spread points along an outline: where they stand is
+    !> a matter of choice, that they are on the outline is not.
     real(dp), parameter, public :: spacing_tolerance = 1.0e-6_dp
     !> How far ends of an outline that are one point may miss each other. Relative to the body.
     real(dp), parameter, public :: meeting_tolerance = 1.0e-9_dp

@@ -3,9 +3,6 @@
 !> than the nearest by more than the grid's spacing, Newton's method goes down to the nearest point
 !> thereabouts; the edges of sheets are bounds that it may run along. The nearest of all is taken.
 !> This finds every hollow of the distance that the grid of `cut_clearance_map` can tell apart.
-!>
-!> With r the way from the box to p(u, t), half its square is least where r.dp/du and r.dp/dt are
-!> zero. Its second derivatives count along the axes where p is outside of the box's slab.
 module cut_clearance_nearest
     use base_error, only: error_type
     use base_kinds, only: dp
@@ -13,6 +10,7 @@ module cut_clearance_nearest
     use body_body, only: body_type
     use body_skin, only: skin_at, skin_type
     use cut_clearance_map, only: column_parts, map_type, row_parts, sheet_type
+    use cut_clearance_step, only: step_towards
     use cut_measure_sheet, only: frame_at, frame_type, spot_at, spot_type, station_of
     use geom_place, only: place_at
     implicit none (type, external)
@@ -146,14 +144,14 @@ contains
             else
                 call go_down(body, sheet, box, try)
             end if
-            if (try%foot%exists) feet = [feet, with_normal(body, try)]
-            try = try_type(place=try%place)
+            if (try%foot%exists) feet = [feet, with_normal(body, sheet, try)]
+            try = try_type(place=[abs(try%place(1) - 0.5_dp/real(row_parts, dp)), try%place(2)])
         end if
         if (sheet%span%is_blunt(1) .or. sheet%is_point(0)) try%least(1) = rim
         if (sheet%span%is_blunt(2) .or. sheet%is_point(row_parts)) try%most(1) = 1.0_dp - rim
         try%place = min(max(try%place, try%least), try%most)
         call go_down(body, sheet, box, try)
-        if (try%foot%exists) feet = [feet, with_normal(body, try)]
+        if (try%foot%exists) feet = [feet, with_normal(body, sheet, try)]
     end subroutine try_from
 
     !> Newton's method with halved steps, within the bounds.
@@ -169,7 +167,8 @@ contains
         call look(body, sheet, box, try)
         do i = 1, most_steps
             if (.not. try%foot%exists .or. .not. try%foot%distance > 0.0_dp) return
-            step = newton_step(try)
+            step = step_towards(try%spot, try%way, try%is_out, &
+                can_fall=try%place > try%least, can_rise=try%place < try%most)
             part = 1.0_dp
             do k = 1, most_halvings
                 next = try
@@ -186,54 +185,6 @@ contains
             if (maxval(abs(step)) <= foot_tolerance) return
         end do
     end subroutine go_down
-
-    !> Newton's step for the free of u and t; where the second derivatives do not lead down, the step
-    !> of the tangent plane.
-    pure function newton_step(try) result(step)
-        type(try_type), intent(in) :: try !! at some place
-        real(dp) :: step(2), slope(2), bend(2, 2), plane(2, 2)
-        logical :: is_free(2)
-
-        associate (s => try%spot, r => try%way, out => try%is_out)
-            slope = [dot_product(r, s%u), dot_product(r, s%t)]
-            plane(1, 1) = sum(s%u**2, mask=out)
-            plane(2, 2) = sum(s%t**2, mask=out)
-            plane(1, 2) = sum(s%u*s%t, mask=out)
-            bend(1, 1) = plane(1, 1) + dot_product(r, s%uu)
-            bend(2, 2) = plane(2, 2) + dot_product(r, s%tt)
-            bend(1, 2) = plane(1, 2) + dot_product(r, s%ut)
-        end associate
-        is_free = (try%place > try%least .or. slope < 0.0_dp) &
-            .and. (try%place < try%most .or. slope > 0.0_dp) .and. try%least < try%most
-        step = solved(bend, slope, is_free)
-        if (dot_product(step, slope) < 0.0_dp) return
-        plane(1, 1) = plane(1, 1) + ulp + abs(dot_product(try%way, try%spot%uu))
-        plane(2, 2) = plane(2, 2) + ulp + abs(dot_product(try%way, try%spot%tt))
-        step = solved(plane, slope, is_free)
-    end function newton_step
-
-    !> The solution of a symmetric system of two unknowns, of which some are held at zero; zero where
-    !> the system is not positive.
-    pure function solved(matrix, slope, is_free) result(step)
-        real(dp), intent(in) :: matrix(2, 2)    !! its upper triangle counts
-        real(dp), intent(in) :: slope(2)        !! right side, with the other sign
-        logical, intent(in) :: is_free(2)       !! the unknown is not held
-        real(dp) :: step(2), determinant
-        integer :: i
-
-        step = 0.0_dp
-        if (all(is_free)) then
-            determinant = matrix(1, 1)*matrix(2, 2) - matrix(1, 2)**2
-            if (matrix(1, 1) > 0.0_dp .and. determinant > ulp*matrix(1, 1)*matrix(2, 2)) then
-                step = -[matrix(2, 2)*slope(1) - matrix(1, 2)*slope(2), &
-                    matrix(1, 1)*slope(2) - matrix(1, 2)*slope(1)]/determinant
-            end if
-            return
-        end if
-        do i = 1, 2
-            if (is_free(i) .and. matrix(i, i) > 0.0_dp) step(i) = -slope(i)/matrix(i, i)
-        end do
-    end function solved
 
     !> Looks at the skin at the place of a try.
     pure subroutine look(body, sheet, box, try)
@@ -266,14 +217,21 @@ contains
         try%foot%distance = norm2(try%way)
     end subroutine take
 
-    !> The foot of a try with the normal of the skin.
-    pure type(foot_type) function with_normal(body, try) result(foot)
-        type(body_type), intent(in) :: body !! finished
-        type(try_type), intent(in) :: try   !! with a foot
+    !> The foot of a try with the normal of the skin: at a joint of lines that of its own sheet.
+    pure type(foot_type) function with_normal(body, sheet, try) result(foot)
+        type(body_type), intent(in) :: body     !! finished
+        type(sheet_type), intent(in) :: sheet   !! where the try is
+        type(try_type), intent(in) :: try       !! with a foot
         type(skin_type) :: skin
+        real(dp) :: sta
 
         foot = try%foot
-        skin = skin_at(body%lines, body%sections(foot%section), foot%at(1), place_at(try%place(2)))
+        associate (section => body%sections(foot%section), span => sheet%span)
+            sta = foot%at(1)
+            if (sta >= span%to .and. sta < section%to) &
+                sta = span%to - foot_tolerance*max(abs(span%to), span%to - span%from)
+            skin = skin_at(body%lines, section, sta, place_at(try%place(2)))
+        end associate
         foot%has_normal = skin%has_normal
         foot%normal = skin%normal
     end function with_normal

@@ -117,7 +117,8 @@ contains
         if (body%is_symmetric) point(1) = 0.0_dp
     end function point_of
 
-    !> Area and moments of the whole section about BL 0 and a waterline. Each ring counts as positive.
+    !> Area and moments of the whole section about BL 0 and a waterline. Each ring counts as
+    !> positive.
     pure subroutine moments_of_rings(body, links, datum, moments, error)
         type(body_type), intent(in) :: body                 !! finished
         type(link_type), intent(in) :: links(:)             !! rings that enclose an area

@@ -1,8 +1,9 @@
-!> Measures of a body along its length: volume, centroid, wetted area, and the curve of section areas.
+!> Measures of a body along its length: volume, centroid, wetted area, and the curve of section
+!> areas.
 !>
-!> Between stations where any line or section ends or joins, all integrands are smooth functions of u
-!> (`cut_measure_sheet`), also at a blunt nose. They are integrated together, each section's area and
-!> moments being those of its exact arcs and the skin's area the integral of |dp/du x dp/dt|.
+!> Between stations where any line or section ends or joins, all integrands are smooth functions of
+!> u (`cut_measure_sheet`), also at a blunt nose. They are integrated together, each section's area
+!> and moments being those of its exact arcs and the skin's area the integral of |dp/du x dp/dt|.
 module cut_measure_body
     use base_error, only: cause, error_type, fail
     use base_exact, only: is_equal
@@ -10,6 +11,7 @@ module cut_measure_body
     use base_text, only: compact
     use base_tolerances, only: quadrature_tolerance, segment_tolerance
     use body_body, only: body_type, smooth_stops
+    use body_section, only: is_point, trace_at
     use body_taylor, only: taylor_type
     use cut_measure, only: measure_section, moments_of_rings, section_measure_type
     use cut_measure_ring, only: link_type, rings_at, sections_at, why_open
@@ -38,8 +40,8 @@ module cut_measure_body
         type(section_measure_type), allocatable :: curve(:) !! along the length, rising stations
     end type body_measure_type
 
-    !> What is integrated over u: skin; then of a body that closes volume, and its moments along STA,
-    !> BL and WL.
+    !> What is integrated over u: skin; then of a body that closes volume, and its moments along
+    !> STA, BL and WL.
     type, extends(integrand_set_type) :: slice_type
         type(body_type) :: body         !! the body
         integer, allocatable :: chosen(:) !! its sections that are there
@@ -249,12 +251,11 @@ contains
         integer :: i
 
         do i = 1, size(f%chosen)
-            call frame_at(f%body, f%body%sections(f%chosen(i)), sta, band%frame, error)
-            if (allocated(error)) then
-                if (error%cause /= cause%points_coincide) return
-                deallocate (error)
-                cycle
-            end if
+            associate (section => f%body%sections(f%chosen(i)))
+                if (is_point(trace_at(f%body%lines, section, sta%value))) cycle
+                call frame_at(f%body, section, sta, band%frame, error)
+            end associate
+            if (allocated(error)) return
             call integrate_set(band, 0.0_dp, 1.0_dp, segment_tolerance, estimate, error)
             if (allocated(error)) return
             skin = skin + merge(2.0_dp, 1.0_dp, f%body%is_symmetric)*estimate%value(1)

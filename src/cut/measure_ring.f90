@@ -2,12 +2,12 @@
 !> ring encloses an area where it comes back to its start, or where both its ends are at BL 0 and
 !> the deck says CLOSE.
 module cut_measure_ring
-    use base_error, only: cause, error_type
+    use base_error, only: error_type
     use base_kinds, only: dp
     use base_text, only: compact
     use base_tolerances, only: outline_gap
     use body_body, only: body_type
-    use body_section, only: section_arc
+    use body_section, only: is_point, section_arc, trace_at
     use geom_arc, only: arc_type, reversed
     implicit none (type, external)
     private
@@ -70,14 +70,12 @@ contains
         chosen = sections_at(body, sta)
         do i = 1, size(chosen)
             link%section = chosen(i)
-            call section_arc(body%lines, body%sections(chosen(i)), sta, link%arc, error)
-            if (.not. allocated(error)) then
-                links = [links, link]
-            else if (error%cause == cause%points_coincide) then
-                deallocate (error)
-            else
-                return
-            end if
+            associate (section => body%sections(chosen(i)))
+                if (is_point(trace_at(body%lines, section, sta))) cycle
+                call section_arc(body%lines, section, sta, link%arc, error)
+            end associate
+            if (allocated(error)) return
+            links = [links, link]
         end do
     end subroutine links_at
 
@@ -177,7 +175,8 @@ contains
         if (meet(ends(:, 1), ends(:, 2), ring)) return
         do i = 1, 2
             if (abs(ends(1, i)) > outline_gap*extent(ring)) then
-                why = 'the section is open at BL '//compact(ends(1, i))//', WL '//compact(ends(2, i))
+                why = 'the section is open at BL '//compact(ends(1, i))// &
+                    ', WL '//compact(ends(2, i))
                 return
             end if
         end do

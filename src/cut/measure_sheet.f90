@@ -1,6 +1,6 @@
-!> The skin as a surface of two parameters with its exact derivatives: a sheet is a part of a section
-!> between two stations where its lines are smooth. u goes from 0 at the fore end to 1 at the aft
-!> end, t from 0 at the start of the section's arc to 1 at its finish.
+!> The skin as a surface of two parameters with its exact derivatives: a sheet is a part of a
+!> section between two stations where its lines are smooth. u goes from 0 at the fore end to 1 at
+!> the aft end, t from 0 at the start of the section's arc to 1 at its finish.
 !>
 !> Where a line has an infinite slope at an end, the station goes with the square of u there: the
 !> surface is smooth in u as it is not in STA. With the notation of `geom_arc`, S the shoulder point

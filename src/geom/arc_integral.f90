@@ -1,9 +1,9 @@
-!> Area and moments swept by an arc as seen from an origin: of the region between the arc and the two
-!> straight lines from the origin to its ends, positive where the arc goes round the origin to the
-!> left. The arcs of a closed outline sum to the area and the moments it encloses.
+!> Area and moments swept by an arc as seen from an origin: of the region between the arc and the
+!> two straight lines from the origin to its ends, positive where the arc goes round the origin to
+!> the left. The arcs of a closed outline sum to the area and the moments it encloses.
 !>
-!> The region is the triangle of the origin and the chord, and the segment between chord and arc. With
-!> the notation of `geom_arc`, the segment is p = m + X h + Y g, its outline
+!> The region is the triangle of the origin and the chord, and the segment between chord and arc.
+!> With the notation of `geom_arc`, the segment is p = m + X h + Y g, its outline
 !>
 !>     X**2 = (1 - Y q)(1 - Y (q - 2)),    0 <= Y <= 1/q
 !>

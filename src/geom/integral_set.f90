@@ -1,6 +1,6 @@
-!> Integrals of several functions at once over a finite interval, with their own error estimates: the
-!> functions share what is dear to evaluate. Fejer's second rule of 15 points, which holds the rule
-!> of 7 and no end of the interval, on panels that are halved, the worst first.
+!> Integrals of several functions at once over a finite interval, with their own error estimates:
+!> the functions share what is dear to evaluate. Fejer's second rule of 15 points, which holds the
+!> rule of 7 and no end of the interval, on panels that are halved, the worst first.
 !>
 !> Sources: J. Waldvogel, "Fast construction of the Fejer and Clenshaw-Curtis quadrature rules", BIT
 !> 46 (2006), pp. 195-202, (1.2) (nodes and weights); R. Piessens et al., "QUADPACK", Springer 1983
@@ -53,18 +53,18 @@ module geom_integral_set
     integer, parameter :: most_panels = 200
     !> Cosines of k pi/16, k from 1 to 7: the points outside of the middle.
     real(dp), parameter :: node(7) = [ &
-        0.98078528040323045_dp, 0.92387953251128676_dp, 0.83146961230254524_dp, &
-        0.70710678118654752_dp, 0.55557023301960222_dp, 0.38268343236508977_dp, &
-        0.19509032201612827_dp]
+        0.9807852804032304_dp, 0.9238795325112867_dp, 0.8314696123025452_dp, &
+        0.7071067811865476_dp, 0.5555702330196022_dp, 0.3826834323650898_dp, &
+        0.19509032201612828_dp]
     !> Weights of the 15 points, from the outermost to the middle.
     real(dp), parameter :: weight_15(8) = [ &
-        0.045211840092107571_dp, 0.067639194288249874_dp, 0.11674868983679289_dp, &
-        0.13111333111333111_dp, 0.17101580153660526_dp, 0.17363064698159140_dp, &
-        0.20035700186782761_dp, 0.18856698856698857_dp]
+        0.04521184009210757_dp, 0.06763919428824987_dp, 0.11674868983679289_dp, &
+        0.13111333111333112_dp, 0.17101580153660526_dp, 0.1736306469815914_dp, &
+        0.20035700186782762_dp, 0.18856698856698856_dp]
     !> Weights of every second of them, the rule of 7, from the outermost to the middle.
     real(dp), parameter :: weight_7(4) = [ &
-        0.17796468096204990_dp, 0.24761904761904762_dp, 0.39346389046652153_dp, &
-        0.36190476190476190_dp]
+        0.1779646809620499_dp, 0.24761904761904763_dp, 0.3934638904665215_dp, &
+        0.3619047619047619_dp]
 
 contains
 
@@ -72,8 +72,8 @@ contains
     !> absolute value.
     !>
     !> Fails with what the functions fail with, and with `cause%no_convergence` where `most_panels`
-    !> do not reach the tolerance.
-    pure subroutine integrate_set(f, from, to, tolerance, estimate, error)
+    !> do not reach the tolerance. The functions may be integrals of sets themselves.
+    pure recursive subroutine integrate_set(f, from, to, tolerance, estimate, error)
         class(integrand_set_type), intent(in) :: f          !! the functions
         real(dp), intent(in) :: from                        !! start of the interval
         real(dp), intent(in) :: to                          !! end of the interval, may be below
@@ -150,7 +150,7 @@ contains
     end function worst_of
 
     !> Measures one panel.
-    pure subroutine measure(f, from, to, panel, error)
+    pure recursive subroutine measure(f, from, to, panel, error)
         class(integrand_set_type), intent(in) :: f          !! the functions
         real(dp), intent(in) :: from                        !! start of the panel
         real(dp), intent(in) :: to                          !! end of the panel

@@ -33,10 +33,12 @@ program test_clearance_depth
         far = max(far, norm2(found%foot%at - 3.0_dp*p/norm2(p)))
         if (.not. found%is_certain) uncertain = uncertain + 1
     end do
-    call tap%near(worst, 0.0_dp, good, 'sphere: depth of 200 points, port and starboard, in and out')
+    call tap%near(worst, 0.0_dp, good, &
+        'sphere: depth of 200 points, port and starboard, in and out')
     call tap%near(far, 0.0_dp, 1.0e-9_dp, 'sphere: their nearest points')
     call tap%ok(uncertain == 0, 'normal and section agree of all of them')
-    call check_point([0.0_dp, 0.0_dp, 0.0_dp], 3.0_dp, 'the centre of a sphere, to which all is near')
+    call check_point([0.0_dp, 0.0_dp, 0.0_dp], 3.0_dp, &
+        'the centre of a sphere, to which all is near')
     call check_point([-2.9_dp, 0.0_dp, 0.0_dp], 0.1_dp, 'a point behind the nose of a sphere')
     call check_point([-3.5_dp, 0.0_dp, 0.0_dp], -0.5_dp, 'a point before the nose of a sphere')
     call check_point([3.0_dp, 0.0_dp, 0.0_dp], 0.0_dp, 'the tail of a sphere itself')
@@ -121,7 +123,7 @@ contains
         do k = 1, 200
             p = [random%between(-11.0_dp, 11.0_dp), random%between(-3.5_dp, 3.5_dp), &
                 random%between(-2.5_dp, 2.5_dp)]
-            if (modulo(k, 5) == 0) p(1 + modulo(k/5, 3)) = 0.0_dp
+            if (modulo(k, 5) == 0) p(1 + modulo(k, 3)) = 0.0_dp
             q = nearest_of_ellipsoid(p)
             found = depth_of(body, map, box_type(p, p))
             worst = max(worst, abs(found%depth - sign(norm2(p - q), 1.0_dp - norm2(p/axes))))

@@ -28,6 +28,7 @@ program test_measure_body
     body = ellipsoid([10.0_dp, 3.0_dp, 2.0_dp])
     call check('an ellipsoid of three axes', 80.0_dp*pi, ellipsoid_area(10.0_dp, 3.0_dp, 2.0_dp), &
         [0.0_dp, 0.0_dp, 0.0_dp])
+    allocate (stops(0))
     stops = stops_of(body)
     call tap%ok(size(stops) == 3, 'an ellipsoid of two arcs has three stops')
     call tap%ok(all(abs(stops - [-10.0_dp, 0.0_dp, 10.0_dp]) <= 0.0_dp), 'in order')
@@ -54,13 +55,15 @@ program test_measure_body
     call measure_body(body, [0.0_dp], measure)
     call tap%ok(.not. measure%has_volume .and. measure%has_wetted, &
         'a body that is not closed has no volume but a skin')
-    call tap%same(measure%why, 'between stations -0.75 and 0.75 the section ends at BL 0 but the '// &
+    call tap%same(measure%why, &
+        'between stations -0.75 and 0.75 the section ends at BL 0 but the '// &
         'deck does not say CLOSE', 'and it is said why')
     body%is_closed = .true.
     body%sections = body%sections(1:1)
     call measure_body(body, [0.0_dp], measure)
     call tap%ok(.not. measure%has_volume, 'an open quarter has no volume')
-    call tap%same(measure%why, 'between stations -0.75 and 0.75 the section is open at BL 1., WL 0.', &
+    call tap%same(measure%why, &
+        'between stations -0.75 and 0.75 the section is open at BL 1., WL 0.', &
         'and it is said where it is open')
     deallocate (body%sections)
     allocate (body%sections(0))
@@ -81,7 +84,8 @@ contains
         call tap%ok(measure%has_volume .and. measure%has_wetted, 'has volume and skin: '//name)
         call tap%near(measure%volume/volume, 1.0_dp, good, 'volume of '//name)
         call tap%near(measure%wetted_area/wetted, 1.0_dp, good, 'wetted area of '//name)
-        call tap%near(norm2(measure%centroid - centroid), 0.0_dp, good*10.0_dp, 'centroid of '//name)
+        call tap%near(norm2(measure%centroid - centroid), 0.0_dp, good*10.0_dp, &
+            'centroid of '//name)
         call tap%ok(abs(measure%volume - volume) <= measure%volume_error, &
             'the estimate of the volume holds: '//name)
         call tap%ok(abs(measure%wetted_area - wetted) <= measure%wetted_error, &

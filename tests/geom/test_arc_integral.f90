@@ -25,20 +25,23 @@ program test_arc_integral
         moments_type(3.0_dp*pi, [0.0_dp, 8.0_dp], [6.75_dp*pi, 3.0_dp*pi, 0.0_dp]), &
         10.0_dp*good, 'half an ellipse, its end tangents parallel')
     a = asin(0.28_dp)
-    notched = card([-0.28_dp, 0.96_dp], -[0.96_dp, 0.28_dp], [0.0_dp, -1.0_dp], [0.28_dp, 0.96_dp], &
+    notched = card([-0.28_dp, 0.96_dp], -[0.96_dp, 0.28_dp], [0.0_dp, -1.0_dp], [0.28_dp, &
+        0.96_dp], &
         [-0.96_dp, 0.28_dp])
     call check(swept(notched, centre), moments_type(pi - a, [0.0_dp, -0.56_dp/3.0_dp], &
         0.25_dp*[pi - a + 0.5_dp*sin(2.0_dp*a), pi - a - 0.5_dp*sin(2.0_dp*a), 0.0_dp]), &
         10.0_dp*good, 'a circle but for a notch')
-    call check_area([0.0_dp, 0.0_dp], flat, [1.0_dp, 1.0_dp], [2.0_dp, 4.0_dp], [1.0_dp, 4.0_dp], &
-        4.0_dp/3.0_dp, 'y = x**2 from 0 to 2')
-    call check_area([1.0_dp, 1.0_dp], [1.0_dp, -1.0_dp], [2.0_dp, 0.5_dp], [4.0_dp, 0.25_dp], &
-        [16.0_dp, -1.0_dp], -log(4.0_dp), 'y = 1/x from 1 to 4')
+    call check_area(card([0.0_dp, 0.0_dp], flat, [1.0_dp, 1.0_dp], [2.0_dp, 4.0_dp], &
+        [1.0_dp, 4.0_dp]), 4.0_dp/3.0_dp, 'y = x**2 from 0 to 2')
+    call check_area(card([1.0_dp, 1.0_dp], [1.0_dp, -1.0_dp], [2.0_dp, 0.5_dp], &
+        [4.0_dp, 0.25_dp], [16.0_dp, -1.0_dp]), -log(4.0_dp), 'y = 1/x from 1 to 4')
     big = 2.0_dp**20
-    call check_area([big, big], [1.0_dp, -1.0_dp], [2.0_dp*big, 0.5_dp*big], &
-        [4.0_dp*big, 0.25_dp*big], [16.0_dp, -1.0_dp], -log(4.0_dp)*big**2, 'the same, a million times')
+    call check_area(card([big, big], [1.0_dp, -1.0_dp], [2.0_dp*big, 0.5_dp*big], &
+        [4.0_dp*big, 0.25_dp*big], [16.0_dp, -1.0_dp]), -log(4.0_dp)*big**2, &
+        'the same, a million times')
     call check(swept(line_between([1.0_dp, 0.0_dp], [0.0_dp, 2.0_dp]), centre), &
-        moments_type(1.0_dp, [1.0_dp, 2.0_dp]/3.0_dp, [1.0_dp/6.0_dp, 4.0_dp/6.0_dp, 1.0_dp/6.0_dp]), &
+        moments_type(1.0_dp, [1.0_dp, 2.0_dp]/3.0_dp, [1.0_dp/6.0_dp, 4.0_dp/6.0_dp, &
+        1.0_dp/6.0_dp]), &
         good, 'a line: the triangle below it')
 
     whole = swept(quarter, [2.0_dp, -5.0_dp]) &
@@ -82,12 +85,13 @@ contains
             'second moments of '//name)
     end subroutine check
 
-    !> Checks the area that the arc of a card sweeps about the origin.
-    subroutine check_area(p1, t1, p2, p3, t3, area, name)
-        real(dp), intent(in) :: p1(2), t1(2), p2(2), p3(2), t3(2), area
+    !> Checks the area that an arc sweeps about the origin.
+    subroutine check_area(arc, area, name)
+        type(arc_type), intent(in) :: arc
+        real(dp), intent(in) :: area
         character(*), intent(in) :: name
         type(moments_type) :: found
-        found = swept(card(p1, t1, p2, p3, t3), centre)
+        found = swept(arc, centre)
         call tap%near(found%area/area, 1.0_dp, good, 'area of '//name)
     end subroutine check_area
 

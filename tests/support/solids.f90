@@ -1,6 +1,6 @@
-!> Bodies with closed forms: a profile r over STA, taken so many times as half-breadth and as height,
-!> with elliptic sections between, each in an upper and a lower quarter. The shoulder points of the
-!> sections are at .6 of the half-breadth and .8 of the height, which are on the ellipse.
+!> Bodies with closed forms: a profile r over STA, taken so many times as half-breadth and as
+!> height, with elliptic sections between, each in an upper and a lower quarter. The shoulder points
+!> of the sections are at .6 of the half-breadth and .8 of the height, which are on the ellipse.
 module support_solids
     use base_kinds, only: dp
     use base_error, only: error_type
