@@ -163,6 +163,7 @@ contains
     subroutine compare_nose(figures)
         type(figure_type), intent(in) :: figures(:) !! tables 2 and 4
         type(body_type) :: nose
+        character(61) :: row
         real(dp) :: distance, worst
         integer :: i
 
@@ -175,12 +176,16 @@ contains
             if (.not. is_of_nose(figures(i))) cycle
             associate (at => point_of(figures(i)))
                 call off_nose(nose, at, distance)
-                call say(fixed(at(1), 9, 0)//fixed(at(2), 15, 3)//fixed(at(3), 15, 3)// &
-                    fixed(distance, 22, 5))
+                row = fixed(at(1), 9, 0)
+                row(10:) = fixed(at(2), 15, 3)
+                row(25:) = fixed(at(3), 15, 3)
+                row(40:) = fixed(distance, 22, 5)
+                call say(row)
             end associate
             worst = max(worst, abs(distance))
         end do
-        call say('Largest distance of a printed point from that nose:'//fixed(worst, 9, 5)//' in')
+        row = fixed(worst, 9, 5)
+        call say('Largest distance of a printed point from that nose:'//row(:9)//' in')
     end subroutine compare_nose
 
     !> Prints a length in inches and in millimetres.
