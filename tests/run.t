@@ -90,7 +90,7 @@ for kind in run check; do
 done
 
 loft run --format csv cards/faults.crd
-[ "$status" = 1 ] && [ "$(cut -d, -f1 "$work/out" | uniq | tr '\n' ' ')" = 'card 1 2 11 16 17 32 34 ' ]
+[ "$status" = 1 ] && [ "$(cut -d, -f1 "$work/out" | uniq | tr '\n' ' ')" = 'card 1 2 16 17 32 34 ' ]
 ok $? 'the sound cards of a bad deck still run, their numbers counting the bad ones' "$(cut -d, -f1 "$work/out" | uniq)"
 "$LOFT" check cards/faults.crd 2>&1 | grep -c ': error: ' > "$work/errors"
 grep -c ': error: ' "$work/err" | cmp -s - "$work/errors"

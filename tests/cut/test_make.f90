@@ -140,7 +140,10 @@ contains
         cut = cut_of(body, by_number(waterline_plane(1.1_dp), 5))
         call tap%ok(size(cut%outlines) == 0, 'a waterline above has none')
         cut = cut_of(body, by_number(station_plane(3.0_dp), 5))
-        call tap%ok(size(cut%outlines) == 0, 'the station of the tail is a point')
+        call tap%ok(size(cut%outlines) == 1, 'the station of the tail is a point')
+        if (size(cut%outlines) == 1) call tap%ok(size(cut%outlines(1)%points) == 1 .and. &
+            size(cut%outlines(1)%pieces) == 0 .and. &
+            .not. cut%outlines(1)%points(1)%has_slope, 'without slope or piece')
     end subroutine check_touching
 
     !> Cuts where the lines are not.
