@@ -9,6 +9,7 @@ module body_build
     use body_build_lines, only: build_lines
     use body_ledger, only: joint_type
     use body_line, only: line_type
+    use body_nose, only: round_nose
     use body_section, only: limit_section, section_type
     use deck_body_card, only: blame
     use deck_job, only: asked_body_type => body_type, asked_section_type => section_type, &
@@ -35,10 +36,9 @@ contains
             body%name = asked%name
             body%is_symmetric = job%is_symmetric
             body%is_closed = job%is_closed
-            body%has_nose = asked%has_nose
-            if (asked%has_nose) body%nose_radius = to_real(asked%nose_radius)
             allocate (joints(0), body%sections(0))
             call build_lines(asked, to_real(job%joint_gap), body%lines, joints, faults)
+            if (asked%has_nose) call build_nose(asked, to_real(job%joint_gap), body, joints, faults)
             do i = 1, size(asked%section)
                 if (is_buildable(asked, asked%section(i), body%lines)) then
                     call build_section(asked%section(i), body, faults)
@@ -47,6 +47,21 @@ contains
         end associate
         call finish_body(body)
     end subroutine build_body
+
+    !> Rounds the nose of a body; where that can't be done it stays sharp.
+    pure subroutine build_nose(asked, gap, body, joints, faults)
+        type(asked_body_type), intent(in) :: asked                  !! as the deck has it
+        real(dp), intent(in) :: gap                                 !! by which points may miss
+        type(body_type), intent(inout) :: body                      !! with its lines
+        type(joint_type), allocatable, intent(inout) :: joints(:)   !! the ledger
+        type(fault_list_type), intent(inout) :: faults              !! what is wrong is added
+        integer :: before
+
+        before = faults%count
+        call round_nose(asked, gap, body%lines, joints, faults)
+        body%has_nose = .not. faults%has_errors(before)
+        if (body%has_nose) body%nose_radius = to_real(asked%nose_radius)
+    end subroutine build_nose
 
     !> True where a section and all views it stands on are sound. (Where they are not, that was
     !> said of their cards.)
