@@ -14,7 +14,8 @@ program test_body
     type(body_type) :: body, whole
 
     body = ellipsoid([5.0_dp, 2.0_dp, 1.0_dp], 0.0_dp, 0.0_dp)
-    call tap%ok(all(body%sections%outward == 1.0_dp), 'from keel to crown the outside is to the right')
+    call tap%ok(all(body%sections%outward == 1.0_dp), &
+        'from keel to crown the outside is to the right')
     whole = mirrored_body(body)
     call tap%ok(size(whole%sections) == 4, 'a symmetric body has a mirrored half')
     call tap%ok(all(whole%sections(3:)%is_port), 'to port')
@@ -26,7 +27,8 @@ program test_body
     call tap%ok(size(whole%sections) == 4, 'a whole body is not doubled')
     call turn(body, 2)
     call finish_body(body)
-    call tap%ok(all(body%sections%outward == [1.0_dp, -1.0_dp]), 'a section run backwards has it left')
+    call tap%ok(all(body%sections%outward == [1.0_dp, -1.0_dp]), &
+        'a section run backwards has it left')
     call turn(body, 1)
     call finish_body(body)
     call tap%ok(all(body%sections%outward == -1.0_dp), 'both run backwards have')
@@ -58,13 +60,16 @@ contains
             control_line('HOLLOW', constant_view(-1.8_dp), constant_view(3.2_dp)), &
             control_line('HIGH', constant_view(-1.0_dp), constant_view(5.0_dp)), &
             control_line('USH', constant_view(3.0_dp), constant_view(4.0_dp)), &
-            control_line('CROWN', straight_view([0.0_dp, 4.0_dp], [9.0_dp, 4.0_dp]), constant_view(0.0_dp))]
+            control_line('CROWN', straight_view([0.0_dp, 4.0_dp], [9.0_dp, 4.0_dp]), &
+                constant_view(0.0_dp))]
         body%sections = [plain_section('BELLY', [1, 2, 3], level, upright), &
-            plain_section('FAIR', [3, 4, 5], upright, level), plain_section('TOP', [5, 6, 7], upright, level)]
+            plain_section('FAIR', [3, 4, 5], upright, level), plain_section('TOP', [5, 6, 7], &
+                upright, level)]
         body%sections%from = 0.0_dp
         body%sections%to = 9.0_dp
         call finish_body(body)
-        call tap%ok(all(body%sections%outward == 1.0_dp), 'a hollow fairing is outside as its run is')
+        call tap%ok(all(body%sections%outward == 1.0_dp), &
+            'a hollow fairing is outside as its run is')
     end subroutine check_fairing
 
     !> Joints of the lines divide the range.
@@ -75,6 +80,7 @@ contains
         call new_chain([line_between([0.0_dp, 4.0_dp], [3.0_dp, 5.0_dp]), &
             line_between([3.0_dp, 5.0_dp], [9.0_dp, 4.0_dp])], view, error)
         body%lines(7)%side = view
+        allocate (stops(0))
         stops = smooth_stops(body, body%sections(3))
         call tap%ok(size(stops) == 3, 'a joint of a line stops its section')
         call tap%ok(all(stops == [0.0_dp, 3.0_dp, 9.0_dp]), 'between the ends of its range')

@@ -12,6 +12,7 @@ program test_gap
     type(body_type) :: body
     type(gap_type), allocatable :: gaps(:)
 
+    allocate (gaps(0))
     body = ellipsoid([5.0_dp, 2.0_dp, 1.0_dp], 0.0_dp, 0.0_dp)
     gaps = section_gaps(body, body%sections(1))
     call tap%ok(size(gaps) == 0, 'an ellipsoid has no gap, its ends are points')

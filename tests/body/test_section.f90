@@ -36,18 +36,21 @@ contains
         call section_arc(body%lines, body%sections(1), 3.0_dp, arc, error)
         call tap%ok(.not. allocated(error), 'it has an arc there')
         call tap%near(norm2(arc%start - [0.0_dp, -0.8_dp]), 0.0_dp, 1.0e-15_dp, 'from the keel')
-        call tap%near(norm2(arc%finish - [1.6_dp, 0.0_dp]), 0.0_dp, 1.0e-15_dp, 'to the greatest breadth')
+        call tap%near(norm2(arc%finish - [1.6_dp, 0.0_dp]), 0.0_dp, 1.0e-15_dp, &
+            'to the greatest breadth')
         call tap%near(weight(arc), sqrt(0.5_dp), 1.0e-15_dp, 'a quarter of an ellipse')
         port = body%sections(1)
         port%is_port = .true.
         call section_arc(body%lines, port, 3.0_dp, arc, error)
-        call tap%near(norm2(arc%finish + [1.6_dp, 0.0_dp]), 0.0_dp, 1.0e-15_dp, 'and its image to port')
+        call tap%near(norm2(arc%finish + [1.6_dp, 0.0_dp]), 0.0_dp, 1.0e-15_dp, &
+            'and its image to port')
         trace = trace_at(body%lines, body%sections(1), -5.0_dp)
         call tap%ok(is_point(trace), 'at the nose it is a point')
         call section_arc(body%lines, body%sections(1), -5.0_dp, arc, error)
         call tap%ok(allocated(error), 'which has no arc')
         if (allocated(error)) call tap%ok(error%cause == cause%points_coincide, 'of that cause')
-        call tap%ok(size(section_joints(body%lines, body%sections(1))) == 0, 'its lines have no joints')
+        call tap%ok(size(section_joints(body%lines, body%sections(1))) == 0, &
+            'its lines have no joints')
     end subroutine check_ellipsoid
 
     !> A section that shrinks to a straight line at the end of its range.
@@ -60,7 +63,8 @@ contains
         lines(3) = control_line('TOP', constant_view(2.0_dp), constant_view(0.0_dp))
         section = plain_section('FIN', [1, 2, 3], level, level)
         call limit_section(lines, section)
-        call tap%ok(section%from == 0.0_dp .and. section%to == 10.0_dp, 'a fin has the range of its side')
+        call tap%ok(section%from == 0.0_dp .and. section%to == 10.0_dp, &
+            'a fin has the range of its side')
         call section_arc(lines, section, 5.0_dp, arc, error)
         call tap%ok(.not. allocated(error) .and. .not. arc%is_line, 'it is curved inside')
         call section_arc(lines, section, 10.0_dp, arc, error)

@@ -37,7 +37,8 @@ contains
                 end do
             end do
         end do
-        call tap%near(worst(1), 0.0_dp, 1.0e-13_dp, 'normals all over an ellipsoid are outward and its own')
+        call tap%near(worst(1), 0.0_dp, 1.0e-13_dp, &
+            'normals all over an ellipsoid are outward and its own')
         call tap%near(worst(2), 0.0_dp, 1.0e-15_dp, 'points are on it')
         skin = skin_at(body%lines, body%sections(1), 0.0_dp, at_finish)
         call tap%near(normal_curvature(skin, [1.0_dp, 0.0_dp, 0.0_dp], [0.0_dp, -1.0_dp, 0.0_dp]), &
@@ -61,8 +62,10 @@ contains
             straight_view([0.0_dp, 0.0_dp], [10.0_dp, -4.0_dp]), &
             straight_view([0.0_dp, 0.0_dp], [10.0_dp, -5.0_dp]))
         skin = skin_at(body%lines, body%sections(2), 10.0_dp, at_shoulder)
-        call tap%near(skin%normal(1), -sqrt(0.2_dp), 1.0e-15_dp, 'a cone of slope 1/2 leans by asin(1/sqrt 5)')
-        call tap%near(norm2(skin%normal(2:) - sqrt(0.4_dp)), 0.0_dp, 1.0e-15_dp, 'at 45 degrees round')
+        call tap%near(skin%normal(1), -sqrt(0.2_dp), 1.0e-15_dp, &
+            'a cone of slope 1/2 leans by asin(1/sqrt 5)')
+        call tap%near(norm2(skin%normal(2:) - sqrt(0.4_dp)), 0.0_dp, 1.0e-15_dp, &
+            'at 45 degrees round')
         call tap%near(normal_curvature(skin, [2.0_dp, sqrt(0.5_dp), sqrt(0.5_dp)]/sqrt(5.0_dp), &
             skin%normal), 0.0_dp, 1.0e-15_dp, 'it is straight along a generator')
         skin = skin_at(body%lines, body%sections(2), 0.0_dp, at_shoulder)
@@ -77,10 +80,12 @@ contains
         body = nose_of_the_book()
         call tap%ok(body%sections(1)%outward == 1.0_dp, 'outside is to the right from keel to side')
         skin = skin_at(body%lines, body%sections(1), 10.0_dp, at_start)
-        call tap%ok(skin%normal(3) < -0.9_dp .and. skin%normal(1) < 0.0_dp, 'the keel looks down and forward')
+        call tap%ok(skin%normal(3) < -0.9_dp .and. skin%normal(1) < 0.0_dp, &
+            'the keel looks down and forward')
         call tap%ok(skin%normal(2) == 0.0_dp, 'and not aside')
         skin = skin_at(body%lines, body%sections(1), 10.0_dp, at_finish)
-        call tap%ok(skin%normal(2) > 0.9_dp .and. skin%normal(3) == 0.0_dp, 'the side looks to starboard')
+        call tap%ok(skin%normal(2) > 0.9_dp .and. skin%normal(3) == 0.0_dp, &
+            'the side looks to starboard')
     end subroutine check_nose
 
 end program test_skin

@@ -44,7 +44,7 @@ contains
         patch = patch_at(body%lines, body%sections(section), sta, arc)
     end function patch
 
-    !> Derivatives along a way against central differences of the values, which are of other patches.
+    !> Derivatives along a way against central differences of values, which are of other patches.
     subroutine check_differences(way, name)
         real(dp), intent(in) :: way(3)
         character(*), intent(in) :: name
@@ -58,7 +58,8 @@ contains
         end do
         call tap%near((value(1) - value(-1))/(2.0_dp*h*here%first), 1.0_dp, 1.0e-5_dp, &
             'the slope of F along '//name)
-        call tap%near((value(1) - 2.0_dp*value(0) + value(-1))/(h**2*here%second), 1.0_dp, 1.0e-4_dp, &
+        call tap%near((value(1) - 2.0_dp*value(0) + value(-1))/(h**2*here%second), 1.0_dp, &
+            1.0e-4_dp, &
             'the second derivative of F along '//name)
     end subroutine check_differences
 

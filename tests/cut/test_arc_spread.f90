@@ -25,7 +25,8 @@ program test_arc_spread
     call places_on(circle, by_number(station_plane(0.0_dp), 4), places, error)
     call tap%ok(size(places) == 4, 'as many points as asked')
     at = point(circle, places(2))
-    call tap%near(norm2(at - 5.0_dp*[0.5_dp, -sqrt(0.75_dp)]), 0.0_dp, 1.0e-9_dp, 'the second at 30 degrees')
+    call tap%near(norm2(at - 5.0_dp*[0.5_dp, -sqrt(0.75_dp)]), 0.0_dp, 1.0e-9_dp, &
+        'the second at 30 degrees')
     call places_on(circle, by_step(station_plane(0.0_dp), 2, 3000), places, error)
     at = point(circle, places(2))
     call tap%ok(size(places) == 3 .and. at(1) == 3.0_dp, 'steps of 3 along BL')
@@ -51,7 +52,8 @@ program test_arc_spread
         worst = max(worst, 5.0_dp - norm2(0.5_dp*(at + before)))
         before = at
     end do
-    call tap%ok(worst <= 0.001_dp .and. worst > 0.0002_dp, 'chords stay as near as asked, not nearer')
+    call tap%ok(worst <= 0.001_dp .and. worst > 0.0002_dp, &
+        'chords stay as near as asked, not nearer')
     call places_on(line_between([0.0_dp, 0.0_dp], [1.0_dp, 2.0_dp]), request, places, error)
     call tap%ok(size(places) == 2, 'a line is one chord')
     call tap%finish()

@@ -11,7 +11,8 @@ program test_chain
     type(part_type) :: parts(4)
 
     chains = chains_of([part(1, 2), part(3, 2), part(3, 4)], near)
-    call tap%ok(size(chains) == 1 .and. .not. chains(1)%is_closed, 'three parts in a row are one open chain')
+    call tap%ok(size(chains) == 1 .and. .not. chains(1)%is_closed, &
+        'three parts in a row are one open chain')
     call tap%ok(all(chains(1)%part == [1, -2, 3]), 'the middle one runs backwards')
     chains = chains_of([part(1, 2), part(2, 3), part(3, 1)], near)
     call tap%ok(size(chains) == 1 .and. chains(1)%is_closed, 'three in a ring are a closed one')

@@ -32,7 +32,8 @@ program test_clip
     request%limit(2) = limit_type(.true., .false., from=2.4_dp)
     parts = clipped(body, request, tracks)
     call tap%ok(size(parts) == 1, 'beyond BL 2.4 there is one part')
-    call tap%near(maxval(abs([parts(1)%from%sta + 3.2_dp, parts(1)%to%sta - 3.2_dp])), 0.0_dp, 1.0e-14_dp, &
+    call tap%near(maxval(abs([parts(1)%from%sta + 3.2_dp, parts(1)%to%sta - 3.2_dp])), 0.0_dp, &
+        1.0e-14_dp, &
         'from -3.2 to 3.2')
     request%limit(2) = limit_type(.true., .true., 2.4_dp, 3.2_dp)
     parts = clipped(body, request, tracks)
@@ -54,8 +55,10 @@ program test_clip
     limit(1) = limit_type(.true., .true., 3.0_dp, 4.0_dp)
     places = places_within(circle, limit)
     call tap%ok(size(places) == 2, 'between BL 3 and 4 there is one part')
-    call tap%near(norm2(point(circle, places(1)) - [3.0_dp, -4.0_dp]), 0.0_dp, 1.0e-15_dp, 'from (3, -4)')
-    call tap%near(norm2(point(circle, places(2)) - [4.0_dp, -3.0_dp]), 0.0_dp, 1.0e-15_dp, 'to (4, -3)')
+    call tap%near(norm2(point(circle, places(1)) - [3.0_dp, -4.0_dp]), 0.0_dp, 1.0e-15_dp, &
+        'from (3, -4)')
+    call tap%near(norm2(point(circle, places(2)) - [4.0_dp, -3.0_dp]), 0.0_dp, 1.0e-15_dp, &
+        'to (4, -3)')
     limit(2) = limit_type(.true., .false., from=-2.0_dp)
     places = places_within(circle, limit)
     call tap%ok(size(places) == 0, 'above WL -2 none of it is left')

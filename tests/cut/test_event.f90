@@ -19,7 +19,8 @@ program test_event
     call events_between(body, 1, buttock_plane(1.6_dp), ends, events, lies)
     call tap%ok(.not. any(lies), 'no edge lies in a buttock to starboard')
     call tap%ok(size(events) == 4, 'which the greatest breadth passes twice')
-    call tap%near(maxval(abs(events%sta - [-5.0_dp, -3.0_dp, 3.0_dp, 5.0_dp])), 0.0_dp, 1.0e-15_dp, &
+    call tap%near(maxval(abs(events%sta - [-5.0_dp, -3.0_dp, 3.0_dp, 5.0_dp])), 0.0_dp, &
+        1.0e-15_dp, &
         'at stations -3 and 3')
     call tap%ok(all(events%kind == [happening%nothing, happening%finish, happening%finish, &
         happening%nothing]), 'with the finish line of the lower section')
@@ -33,6 +34,7 @@ program test_event
     call tap%ok(any(events%kind == happening%turn), 'a plane that touches turns there')
     call events_between(body, 2, plane_of([3.0_dp, 0.95_dp, 0.6_dp], [0.0_dp, 0.3_dp, 0.8_dp]), &
         ends, events, lies)
-    call tap%ok(count(events%kind == happening%turn) == 2, 'one that cuts off an island turns twice')
+    call tap%ok(count(events%kind == happening%turn) == 2, &
+        'one that cuts off an island turns twice')
     call tap%finish()
 end program test_event

@@ -18,14 +18,16 @@ program test_inside
     body = ellipsoid([5.0_dp, 5.0_dp, 5.0_dp], 0.0_dp, 0.0_dp)
     call check_sphere(station_plane(3.0_dp), 'a station')
     call check_sphere(waterline_plane(2.0_dp), 'a waterline')
-    call check_sphere(plane_of([0.5_dp, 0.2_dp, 0.1_dp], [1.0_dp, 2.0_dp, 3.0_dp]), 'a general plane')
+    call check_sphere(plane_of([0.5_dp, 0.2_dp, 0.1_dp], [1.0_dp, 2.0_dp, 3.0_dp]), &
+        'a general plane')
     cut = cut_of(body, request_of(waterline_plane(0.0_dp), 1.0_dp))
     call tap%near(cut%inside(1)%points(1)%at(1), -4.0_dp, 0.0_dp, 'also at the round nose')
     cut = cut_of(body, request_of(waterline_plane(2.0_dp), 5.5_dp))
     call tap%ok(size(cut%inside(1)%points) == 0, 'a skin thicker than the radius has no inside')
     call tap%ok(size(cut%notes) == 1, 'of which there is a note')
     if (size(cut%notes) == 1) then
-        call tap%ok(index(cut%notes(1)%message, 'thicker than the radius of curvature 5.') > 0, 'that says so')
+        call tap%ok(index(cut%notes(1)%message, 'thicker than the radius of curvature 5.') > 0, &
+            'that says so')
         call tap%ok(.not. cut%notes(1)%is_error, 'and is no error')
     end if
     cut = cut_of(body, request_of(waterline_plane(4.5_dp), 1.0_dp))
@@ -86,8 +88,10 @@ contains
             worst = max(worst, abs(sum((q/axes)**2) - 1.0_dp), norm2(q/axes**2/norm2(q/axes**2) &
                 - cut%inside(1)%points(k)%normal))
         end do
-        call tap%ok(cut%inside(1)%is_closed, 'inside a closed outline of an ellipsoid is a closed one')
-        call tap%near(worst, 0.0_dp, 1.0e-12_dp, 'each of whose points is a thickness from the ellipsoid')
+        call tap%ok(cut%inside(1)%is_closed, &
+            'inside a closed outline of an ellipsoid is a closed one')
+        call tap%near(worst, 0.0_dp, 1.0e-12_dp, &
+            'each of whose points is a thickness from the ellipsoid')
     end subroutine check_ellipsoid
 
 end program test_inside

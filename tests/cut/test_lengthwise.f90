@@ -33,9 +33,11 @@ contains
         real(dp), allocatable :: x(:), y(:)
         body = tapered(ray(5.0_dp), ray(3.0_dp), ray(4.0_dp), ray(-4.0_dp), ray(-5.0_dp))
         call lengthwise_outlines(body, by_number(waterline_plane(1.0_dp), 9), outlines, error)
-        call tap%ok(size(outlines) == 1 .and. .not. outlines(1)%is_closed, 'a waterline of a cone is one open outline')
+        call tap%ok(size(outlines) == 1 .and. .not. outlines(1)%is_closed, &
+            'a waterline of a cone is one open outline')
         associate (points => outlines(1)%points)
-            call tap%near(maxval(abs(points%at(1)**2/4.0_dp - points%at(2)**2 - 1.0_dp)), 0.0_dp, 2.0e-14_dp, &
+            call tap%near(maxval(abs(points%at(1)**2/4.0_dp - points%at(2)**2 - 1.0_dp)), 0.0_dp, &
+                2.0e-14_dp, &
                 'a hyperbola')
             call tap%near(points(1)%at(1), 2.0_dp, 1.0e-15_dp, 'from its vertex')
             call tap%near(points(1)%curvature, -2.0_dp, 1.0e-13_dp, 'where it turns by a/b**2')
@@ -49,7 +51,8 @@ contains
         call tap%near(maxval(abs((y - y(1))/max(x**2, 1.0e-30_dp)*x**2 - (y(size(y)) - y(1)) &
             *x**2/x(size(x))**2)), 0.0_dp, 1.0e-13_dp, 'a parabola in its true shape')
         call lengthwise_outlines(body, by_number(buttock_plane(0.0_dp), 3), outlines, error)
-        call tap%ok(size(outlines) == 1 .and. .not. outlines(1)%is_closed, 'the profile is joined at the point')
+        call tap%ok(size(outlines) == 1 .and. .not. outlines(1)%is_closed, &
+            'the profile is joined at the point')
         call tap%ok(.not. any(outlines(1)%points(3:4)%has_slope), 'where there is no slope')
         call tap%ok(all(outlines(1)%points([1, 2, 5, 6])%has_slope), 'as there is elsewhere')
     end subroutine check_cone
@@ -68,16 +71,21 @@ contains
         call tap%ok(size(outlines) == 1 .and. size(outlines(1)%pieces) == 2, &
             'a buttock of a paraboloid goes over both sections')
         associate (points => outlines(1)%points)
-            call tap%near(maxval(abs(points%at(3)**2 + 4.0_dp - points%at(1))), 0.0_dp, 1.0e-13_dp, &
+            call tap%near(maxval(abs(points%at(3)**2 + 4.0_dp - points%at(1))), 0.0_dp, &
+                1.0e-13_dp, &
                 'is a parabola')
             call tap%ok(size(points) == 8, 'has a point each side at every step and end')
             call tap%near(maxval(abs(abs(points%curvature) &
-                - 2.0_dp/(1.0_dp + 4.0_dp*points%at(3)**2)**1.5_dp)), 0.0_dp, 1.0e-12_dp, 'as curved as one')
+                - 2.0_dp/(1.0_dp + 4.0_dp*points%at(3)**2)**1.5_dp)), 0.0_dp, 1.0e-12_dp, &
+                    'as curved as one')
         end associate
-        call lengthwise_outlines(body, by_number(plane_of([4.0_dp, 0.0_dp, 0.0_dp], [1.0_dp, 0.0_dp, 1.0_dp]), 9), &
+        call lengthwise_outlines(body, by_number(plane_of([4.0_dp, 0.0_dp, 0.0_dp], [1.0_dp, &
+            0.0_dp, 1.0_dp]), 9), &
             outlines, error)
-        call tap%near(maxval(abs(outlines(1)%points%at(2)**2 + (outlines(1)%points%at(3) + 0.5_dp)**2 &
-            - 4.25_dp)), 0.0_dp, 1.0e-13_dp, 'a canted plane cuts an ellipse that is a circle in plan of stations')
+        call tap%near(maxval(abs(outlines(1)%points%at(2)**2 &
+            + (outlines(1)%points%at(3) + 0.5_dp)**2 &
+            - 4.25_dp)), 0.0_dp, 1.0e-13_dp, &
+                'a canted plane cuts an ellipse that is a circle in plan of stations')
     end subroutine check_paraboloid
 
     !> A parabola r = k sqrt(STA) to station 16.

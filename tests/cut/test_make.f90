@@ -57,15 +57,18 @@ contains
             if (hits .neqv. size(cut%outlines) == 1) wrong = wrong + 1
             if (plane%kind == cut_kind%plane) open = open + count(.not. cut%outlines%is_closed)
             one = misses_of(cut, a, centre)
-            worst = max(worst, [one%surface, one%plane, one%normal, one%bevel, one%slope, one%curvature])
+            worst = max(worst, [one%surface, one%plane, one%normal, one%bevel, one%slope, &
+                one%curvature])
             disagreement = max(disagreement, cut%disagreement)
             points = points + one%points
         end do
         call tap%ok(wrong == 0, 'a plane that meets gives one outline, others none, '//where)
         call tap%ok(open == 0, 'a general plane gives closed outlines, '//where)
         call tap%ok(points > 600, 'there are hundreds of points, '//where)
-        call tap%near(worst(1), 0.0_dp, 1.0e-15_dp*(10.0_dp + norm2(centre)), 'points are on the surface, '//where)
-        call tap%near(worst(2), 0.0_dp, 1.0e-15_dp*(10.0_dp + norm2(centre)), 'points are on the plane, '//where)
+        call tap%near(worst(1), 0.0_dp, 1.0e-15_dp*(10.0_dp + norm2(centre)), &
+            'points are on the surface, '//where)
+        call tap%near(worst(2), 0.0_dp, 1.0e-15_dp*(10.0_dp + norm2(centre)), &
+            'points are on the plane, '//where)
         call tap%near(worst(3), 0.0_dp, 1.0e-11_dp*(1.0_dp + norm2(centre)), 'normals, '//where)
         call tap%near(worst(4), 0.0_dp, 1.0e-11_dp*(1.0_dp + norm2(centre)), 'bevels, '//where)
         call tap%near(worst(5), 0.0_dp, 1.0e-11_dp*(1.0_dp + norm2(centre)), 'slopes, '//where)
@@ -120,7 +123,8 @@ contains
         cut = cut_of(body, by_number(buttock_plane(-0.5_dp), 5))
         call tap%ok(size(cut%outlines) == 1 .and. all(cut%outlines(1)%pieces%is_image), &
             'a buttock to port is cut from the mirrored half')
-        cut = cut_of(body, by_number(plane_of([0.5_dp, 1.5_dp, 0.6_dp], [0.2_dp, 1.0_dp, 1.0_dp]), 7))
+        cut = cut_of(body, by_number(plane_of([0.5_dp, 1.5_dp, 0.6_dp], [0.2_dp, 1.0_dp, &
+            1.0_dp]), 7))
         call tap%ok(size(cut%outlines(1)%pieces) == 2 .and. cut%outlines(1)%is_closed, &
             'an island within one section is a closed outline of two branches')
         call tap%ok(size(cut%outlines(1)%points) == 12, 'whose turning points are said once')
@@ -182,14 +186,18 @@ contains
         plane = plane_of([0.5_dp, 0.2_dp, 0.1_dp], [1.0_dp, 2.0_dp, 3.0_dp])
         one = cut_of(body, by_number(plane, 5))
         two = cut_of(other, by_number(plane, 5))
-        call tap%ok(size(one%outlines) == 1 .and. size(two%outlines) == 1, 'sections run backwards cut alike')
-        call tap%near(maxval(abs(one%outlines(1)%points%at(1) - two%outlines(1)%points%at(1))), 0.0_dp, &
+        call tap%ok(size(one%outlines) == 1 .and. size(two%outlines) == 1, &
+            'sections run backwards cut alike')
+        call tap%near(maxval(abs(one%outlines(1)%points%at(1) - two%outlines(1)%points%at(1))), &
+            0.0_dp, &
             1.0e-5_dp, 'at the same points')
-        call tap%near(maxval(abs(one%outlines(1)%points%normal(3) - two%outlines(1)%points%normal(3))), 0.0_dp, &
+        call tap%near(maxval(abs(one%outlines(1)%points%normal(3) &
+            - two%outlines(1)%points%normal(3))), 0.0_dp, &
             1.0e-5_dp, 'with normals outwards')
         one = cut_of(body, by_number(station_plane(1.0_dp), 9))
         two = cut_of(other, by_number(station_plane(1.0_dp), 9))
-        call tap%near(maxval(abs(one%outlines(1)%points%at(2) - two%outlines(1)%points(18:1:-1)%at(2))), &
+        call tap%near(maxval(abs(one%outlines(1)%points%at(2) &
+            - two%outlines(1)%points(18:1:-1)%at(2))), &
             0.0_dp, 1.0e-11_dp, 'and a station runs the other way')
     end subroutine check_same_body
 

@@ -2,7 +2,8 @@
 program test_meeting
     use base_error, only: error_type
     use base_kinds, only: dp
-    use cut_meeting, only: cut_branch, edge_height, has_branch, height_noise, is_across, meeting_of, &
+    use cut_meeting, only: cut_branch, edge_height, has_branch, height_noise, is_across, &
+        meeting_of, &
         meeting_type, openness, place_of, turning_place
     use cut_plane, only: buttock_plane, plane_type, station_plane, waterline_plane
     use geom_arc, only: arc_through, arc_type, end_type, line_between
@@ -25,22 +26,27 @@ program test_meeting
     it = meeting_of(circle, 0.0_dp, waterline_plane(-3.0_dp), none)
     call tap%ok(has_branch(it, cut_branch%rising) .and. .not. has_branch(it, cut_branch%falling), &
         'from keel to side a waterline is passed once, upwards')
-    call tap%near(norm2(point(circle, place_of(it, cut_branch%rising)) - [4.0_dp, -3.0_dp]), 0.0_dp, &
+    call tap%near(norm2(point(circle, place_of(it, cut_branch%rising)) - [4.0_dp, -3.0_dp]), &
+        0.0_dp, &
         1.0e-15_dp, 'at (4, -3)')
     it = meeting_of(circle, 0.0_dp, waterline_plane(-5.5_dp), none)
-    call tap%ok(.not. has_branch(it, cut_branch%rising) .and. .not. has_branch(it, cut_branch%falling), &
+    call tap%ok(.not. has_branch(it, cut_branch%rising) .and. .not. has_branch(it, &
+        cut_branch%falling), &
         'one below is missed')
     call tap%ok(openness(it) <= 1.0_dp .and. openness(it) >= -1.0_dp, 'openness is at most one')
     plane = plane_of([0.0_dp, 3.0_dp, -4.0_dp], [0.0_dp, 1.0_dp, -1.0_dp])
     it = meeting_of(circle, 0.0_dp, plane, none)
     call tap%ok(has_branch(it, cut_branch%rising) .and. has_branch(it, cut_branch%falling), &
         'a slant plane is passed twice')
-    call tap%near(norm2(point(circle, place_of(it, cut_branch%rising)) - [3.0_dp, -4.0_dp]), 0.0_dp, &
+    call tap%near(norm2(point(circle, place_of(it, cut_branch%rising)) - [3.0_dp, -4.0_dp]), &
+        0.0_dp, &
         1.0e-15_dp, 'first away from the middle, at (3, -4)')
-    call tap%near(norm2(point(circle, place_of(it, cut_branch%falling)) - [4.0_dp, -3.0_dp]), 0.0_dp, &
+    call tap%near(norm2(point(circle, place_of(it, cut_branch%falling)) - [4.0_dp, -3.0_dp]), &
+        0.0_dp, &
         1.0e-15_dp, 'then back, at (4, -3)')
     call tap%ok(openness(it) > 0.0_dp, 'there openness is above zero')
-    it = meeting_of(circle, 0.0_dp, plane_of([0.0_dp, 0.0_dp, -7.5_dp], [0.0_dp, 1.0_dp, -1.0_dp]), none)
+    it = meeting_of(circle, 0.0_dp, plane_of([0.0_dp, 0.0_dp, -7.5_dp], [0.0_dp, 1.0_dp, &
+        -1.0_dp]), none)
     call tap%ok(openness(it) < 0.0_dp, 'beyond the arc it is below')
     plane = plane_of([0.0_dp, 3.0_dp, -4.0_dp], [0.0_dp, 3.0_dp, -4.0_dp])
     it = meeting_of(circle, 0.0_dp, plane, none)
@@ -48,18 +54,24 @@ program test_meeting
     call tap%near(norm2(point(circle, turning_place(it)) - [3.0_dp, -4.0_dp]), 0.0_dp, 1.0e-14_dp, &
         'whose place is where it touches')
     it = meeting_of(circle, 0.0_dp, buttock_plane(1.0e-30_dp), [.true., .false.])
-    call tap%ok(is_start(place_of(it, cut_branch%rising)), 'an edge known to be in the plane is the place')
+    call tap%ok(is_start(place_of(it, cut_branch%rising)), &
+        'an edge known to be in the plane is the place')
     it = meeting_of(circle, 0.0_dp, waterline_plane(0.0_dp), none)
     call tap%ok(is_finish(place_of(it, cut_branch%rising)), 'so is one that is so exactly')
     it = meeting_of(line_between([0.0_dp, 0.0_dp], [4.0_dp, 8.0_dp]), 3.0_dp, &
         plane_of([3.0_dp, 1.0_dp, 2.0_dp], [1.0_dp, 1.0_dp, 1.0_dp]), none)
     call tap%near(norm2(point(line_between([0.0_dp, 0.0_dp], [4.0_dp, 8.0_dp]), &
-        place_of(it, cut_branch%rising)) - [1.0_dp, 2.0_dp]), 0.0_dp, 1.0e-15_dp, 'a line is passed where it is')
-    it = meeting_of(line_between([0.0_dp, 1.0_dp], [4.0_dp, 1.0_dp]), 0.0_dp, waterline_plane(1.0_dp), none)
+        place_of(it, cut_branch%rising)) - [1.0_dp, 2.0_dp]), 0.0_dp, 1.0e-15_dp, &
+            'a line is passed where it is')
+    it = meeting_of(line_between([0.0_dp, 1.0_dp], [4.0_dp, 1.0_dp]), 0.0_dp, &
+        waterline_plane(1.0_dp), none)
     call tap%ok(.not. (has_branch(it, cut_branch%rising) .or. has_branch(it, cut_branch%falling)), &
         'a line all in the plane has no branch')
-    call tap%near(to_real(edge_height(plane, 0.0_dp, [4.0_dp, -4.0_dp])), 3.0_dp, 0.0_dp, 'heights are of the normal''s length')
-    call tap%ok(height_noise(plane, 1000.0_dp, [4.0_dp, -4.0_dp]) < 1.0e-12_dp, 'noise is that of rounding')
-    call tap%ok(is_across(station_plane(1.0_dp)) .and. .not. is_across(plane), 'only stations are across STA')
+    call tap%near(to_real(edge_height(plane, 0.0_dp, [4.0_dp, -4.0_dp])), 3.0_dp, 0.0_dp, &
+        'heights are of the normal''s length')
+    call tap%ok(height_noise(plane, 1000.0_dp, [4.0_dp, -4.0_dp]) < 1.0e-12_dp, &
+        'noise is that of rounding')
+    call tap%ok(is_across(station_plane(1.0_dp)) .and. .not. is_across(plane), &
+        'only stations are across STA')
     call tap%finish()
 end program test_meeting

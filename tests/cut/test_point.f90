@@ -28,9 +28,12 @@ program test_point
     plane = waterline_plane(23.0_dp)
     tracks = tracks_on(body, 2, plane, [0.0_dp, 200.0_dp])
     point = point_on_track(body, plane, tracks(1), 100.0_dp, .false.)
-    call tap%near(norm2(point%at - [100.0_dp, 4.0_dp, 23.0_dp]), 0.0_dp, 1.0e-14_dp, 'a waterline 3 up is 4 wide')
-    call tap%near(norm2(point%normal - [0.0_dp, 0.8_dp, 0.6_dp]), 0.0_dp, 1.0e-15_dp, 'its normal is from the centre')
-    call tap%near(point%bevel, -asin(0.6_dp)*180.0_dp/acos(-1.0_dp), 1.0e-13_dp, 'its bevel is -asin .6')
+    call tap%near(norm2(point%at - [100.0_dp, 4.0_dp, 23.0_dp]), 0.0_dp, 1.0e-14_dp, &
+        'a waterline 3 up is 4 wide')
+    call tap%near(norm2(point%normal - [0.0_dp, 0.8_dp, 0.6_dp]), 0.0_dp, 1.0e-15_dp, &
+        'its normal is from the centre')
+    call tap%near(point%bevel, -asin(0.6_dp)*180.0_dp/acos(-1.0_dp), 1.0e-13_dp, &
+        'its bevel is -asin .6')
     call tap%near(point%curvature, -0.25_dp, 1.0e-14_dp, 'to starboard it turns right at 1/4')
     call tap%near(point%slope%value, 0.0_dp, 1.0e-15_dp, 'and goes straight aft')
     call tap%ok(all(point%uv == point%at(:2)), 'u and v are STA and BL')
@@ -46,17 +49,20 @@ program test_point
     tracks = tracks_on(body, 2, plane, [0.0_dp, 200.0_dp])
     point = point_on_track(body, plane, tracks(1), 95.0_dp, .false.)
     call tap%ok(point%has_normal .and. point%normal(1) == -1.0_dp, 'the round nose looks forward')
-    call tap%ok(point%slope%is_vertical .and. .not. point%has_curvature, 'is vertical, of no curvature known')
+    call tap%ok(point%slope%is_vertical .and. .not. point%has_curvature, &
+        'is vertical, of no curvature known')
     plane = station_plane(103.0_dp)
     call section_arc(body%lines, body%sections(1), 103.0_dp, arc, error)
     point = point_on_arc(body, 1, arc, at_start, plane, .false.)
-    call tap%near(point%bevel, -asin(0.6_dp)*180.0_dp/acos(-1.0_dp), 1.0e-13_dp, 'a frame aft has a closed flange')
+    call tap%near(point%bevel, -asin(0.6_dp)*180.0_dp/acos(-1.0_dp), 1.0e-13_dp, &
+        'a frame aft has a closed flange')
     call tap%near(point%curvature, 0.25_dp, 1.0e-15_dp, 'a radius of 4')
     point = point_on_arc(body, 1, arc, at_finish, plane, .false.)
     call tap%ok(point%slope%is_vertical, 'and is vertical at the side')
     call tap%ok(all(across(sta, bl) == wl), 'STA x BL is WL')
     call tap%ok(all(left_of(plane, bl) == wl), 'left of starboard is up, looking forward')
     call give_bevel([0.6_dp, 0.8_dp, 0.0_dp], plane, .true., point)
-    call tap%near(point%bevel, asin(0.6_dp)*180.0_dp/acos(-1.0_dp), 1.0e-14_dp, 'a bevel is minus asin n.f')
+    call tap%near(point%bevel, asin(0.6_dp)*180.0_dp/acos(-1.0_dp), 1.0e-14_dp, &
+        'a bevel is minus asin n.f')
     call tap%finish()
 end program test_point

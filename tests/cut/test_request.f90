@@ -9,7 +9,8 @@ program test_request
     type(tap_type) :: tap
     type(request_type) :: request
 
-    call tap%ok(request%rule == cut_rule%number .and. request%number == 25, '25 points where nothing is said')
+    call tap%ok(request%rule == cut_rule%number .and. request%number == 25, &
+        '25 points where nothing is said')
     call tap%ok(.not. any(request%limit%has_from .or. request%limit%has_to), 'no limits')
     call tap%ok(.not. request%skin > 0.0, 'and no skin')
     call tap%ok(all([cut_rule%step, cut_rule%number, cut_rule%length, cut_rule%chord] == &

@@ -27,11 +27,13 @@ program test_spread
     tracks = tracks_on(body, 2, waterline_plane(3.0_dp), [-10.0_dp, 10.0_dp])
     call stations_on(body, tracks(1), by_number(waterline_plane(3.0_dp), 7), sta, error)
     call tap%ok(size(sta) == 7, 'as many points as asked')
-    call tap%near(maxval(abs(sta + [(4.0_dp*cos(pi*real(i, dp)/6.0_dp), i=0, 6)])), 0.0_dp, 1.0e-5_dp, &
+    call tap%near(maxval(abs(sta + [(4.0_dp*cos(pi*real(i, dp)/6.0_dp), i=0, 6)])), 0.0_dp, &
+        1.0e-5_dp, &
         'at equal angles')
     call stations_on(body, tracks(1), by_step(waterline_plane(3.0_dp), 1, 1500), sta, error)
     call tap%ok(size(sta) == 7, 'steps of 1.5 along STA, and the ends')
-    call tap%near(maxval(abs(sta - [-4.0_dp, -3.0_dp, -1.5_dp, 0.0_dp, 1.5_dp, 3.0_dp, 4.0_dp])), 0.0_dp, &
+    call tap%near(maxval(abs(sta - [-4.0_dp, -3.0_dp, -1.5_dp, 0.0_dp, 1.5_dp, 3.0_dp, 4.0_dp])), &
+        0.0_dp, &
         1.0e-15_dp, 'at multiples of the step')
     call stations_on(body, tracks(1), by_step(waterline_plane(3.0_dp), 1, 2000), sta, error)
     call tap%ok(size(sta) == 5, 'a step that equals an end is that end')
@@ -47,7 +49,8 @@ program test_spread
     request%step = 0.01_dp
     call stations_on(body, tracks(1), request, sta, error)
     call tap%ok(size(sta) > 16 .and. size(sta) < 40, 'chords of .01 turn by 8 degrees at the most')
-    call tap%ok(4.0_dp*(1.0_dp - cos(0.5_dp*maxval(angle(sta)))) <= 0.01_dp, 'none is further from the curve')
+    call tap%ok(4.0_dp*(1.0_dp - cos(0.5_dp*maxval(angle(sta)))) <= 0.01_dp, &
+        'none is further from the curve')
     call new_grid(decimal_type(0_i64, 0), decimal_type(1_i64, -9), grid, error)
     request = by_step(waterline_plane(3.0_dp), 1, 1500)
     request%grid = grid

@@ -33,17 +33,19 @@ program test_track
     tracks = tracks_on(body, 1, buttock_plane(1.6_dp), [4.0_dp, 100.0_dp])
     call tap%ok(size(tracks) == 0, 'or leave nothing')
     tracks = tracks_on(body, 1, buttock_plane(0.0_dp), all_stations)
-    call tap%ok(size(tracks) == 1 .and. tracks(1)%edge == 1, 'the plane of symmetry runs along the keel')
+    call tap%ok(size(tracks) == 1 .and. tracks(1)%edge == 1, &
+        'the plane of symmetry runs along the keel')
     call place_on(body, buttock_plane(0.0_dp), tracks(1), 1.0_dp, place, is_arc)
     call tap%ok(is_start(place), 'where the section starts')
     call place_on(body, buttock_plane(0.0_dp), tracks(1), -5.0_dp, place, is_arc)
     call tap%ok(.not. is_arc, 'at the nose there is no arc')
     tracks = tracks_on(body, 2, waterline_plane(-0.5_dp), all_stations)
     call tap%ok(size(tracks) == 0, 'a low waterline has none on the upper section')
-    tracks = tracks_on(body, 2, plane_of([0.0_dp, 1.15_dp, 0.78_dp], [0.0_dp, 0.3_dp, 0.8_dp]), all_stations)
+    tracks = tracks_on(body, 2, plane_of([0.0_dp, 1.15_dp, 0.78_dp], [0.0_dp, 0.3_dp, 0.8_dp]), &
+        all_stations)
     call tap%ok(size(tracks) == 2, 'an island has two tracks')
     call tap%ok(tracks(1)%branch == -tracks(2)%branch, 'one on each branch')
-    call tap%ok(all(tracks%from%kind == happening%turn) .and. all(tracks%to%kind == happening%turn), &
+    call tap%ok(all(tracks%from%kind == happening%turn .and. tracks%to%kind == happening%turn), &
         'that turn into each other at both ends')
     call tap%finish()
 end program test_track

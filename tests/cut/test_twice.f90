@@ -19,7 +19,8 @@ program test_twice
     call tap%near(largest_disagreement(body, cut%plane, cut%outlines), 0.0_dp, 1.0e-14_dp, &
         'both ways agree on a sphere')
     cut%outlines(1)%points(5)%at(2) = cut%outlines(1)%points(5)%at(2) + 1.0e-6_dp
-    call tap%near(distance_between_ways(body, cut%plane, cut%outlines(1)%points(5)), 1.0e-6_dp, 1.0e-14_dp, &
+    call tap%near(distance_between_ways(body, cut%plane, cut%outlines(1)%points(5)), 1.0e-6_dp, &
+        1.0e-14_dp, &
         'a point a millionth off is told to be')
     call tap%near(largest_disagreement(body, cut%plane, cut%outlines), 1.0e-6_dp, 1.0e-14_dp, &
         'and is the largest')
@@ -27,6 +28,7 @@ program test_twice
     call tap%ok(distance_between_ways(body, cut%plane, cut%outlines(1)%points(5)) > 0.9e-3_dp, &
         'one out of the bracket is not passed over')
     cut = cut_of(nose_of_the_book(), by_number(waterline_plane(-16.0_dp), 25))
-    call tap%ok(cut%disagreement > 0.0_dp .and. cut%disagreement < 1.0e-13_dp, 'they agree on the book''s nose')
+    call tap%ok(cut%disagreement > 0.0_dp .and. cut%disagreement < 1.0e-13_dp, &
+        'they agree on the book''s nose')
     call tap%finish()
 end program test_twice

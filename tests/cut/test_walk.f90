@@ -31,10 +31,12 @@ program test_walk
     call tap%near(length, 4.0_dp*acos(-1.0_dp), 1.0e-8_dp, 'to half the circumference of radius 4')
     breadth = coordinate_type(body=body, plane=speed%plane, track=tracks(1), axis=2, level=3.0_dp)
     call tap%near(breadth%at(0.0_dp), 1.0_dp, 1.0e-15_dp, 'amidships it is 1 wider than 3')
-    call tap%near(norm2(point_at(body, speed%plane, tracks(1), 2.4_dp) - [2.4_dp, 3.2_dp, 3.0_dp]), 0.0_dp, &
+    call tap%near(norm2(point_at(body, speed%plane, tracks(1), 2.4_dp) - [2.4_dp, 3.2_dp, &
+        3.0_dp]), 0.0_dp, &
         1.0e-15_dp, '2.4 aft of that it is 3.2')
     skin = skin_on(body, speed%plane, tracks(1), 2.4_dp)
-    call tap%near(norm2(skin%normal - [0.48_dp, 0.64_dp, 0.6_dp]), 0.0_dp, 1.0e-15_dp, 'with its normal')
+    call tap%near(norm2(skin%normal - [0.48_dp, 0.64_dp, 0.6_dp]), 0.0_dp, 1.0e-15_dp, &
+        'with its normal')
     call tap%ok(station_of(tracks(1), 0.0_dp) == tracks(1)%from%sta .and. &
         station_of(tracks(1), 1.0_dp) == tracks(1)%to%sta, 'the parameter goes from end to end')
     call tap%near(station_of(tracks(1), 0.5_dp), 0.0_dp, 1.0e-14_dp, 'through the middle')

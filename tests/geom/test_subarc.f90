@@ -19,7 +19,8 @@ program test_subarc
         end_type([0.0_dp, 5.0_dp], [1.0_dp, 0.0_dp]), circle, error)
     call tap%ok(.not. allocated(error), 'a quarter of a circle of radius 5')
     at = point(circle, place_between(circle, at_start, at_finish))
-    call tap%near(norm2(at - 5.0_dp*sqrt(0.5_dp)), 0.0_dp, 1.0e-15_dp, 'has its shoulder at 45 degrees')
+    call tap%near(norm2(at - 5.0_dp*sqrt(0.5_dp)), 0.0_dp, 1.0e-15_dp, &
+        'has its shoulder at 45 degrees')
     part = part_of(circle, place_at(0.1_dp), place_at(0.6_dp))
     miss = 0.0_dp
     bend = 0.0_dp

@@ -47,7 +47,8 @@ contains
         request%plane = plane
         request%rule = cut_rule%step
         request%axis = axis
-        call new_grid(decimal_type(0_i64, 0), decimal_type(int(thousandths, i64), -3), request%grid, error)
+        call new_grid(decimal_type(0_i64, 0), decimal_type(int(thousandths, i64), -3), &
+            request%grid, error)
         if (allocated(error)) error stop 'a grid of a test is none'
     end function by_step
 
@@ -112,7 +113,8 @@ contains
         worst%slope = max(worst%slope, abs(dot_product(way, cut%plane%u)*tangent(2) &
             - dot_product(way, cut%plane%v)*tangent(1))/norm2(tangent))
         if (f(findloc(abs(f) > 0.0_dp, .true., dim=1)) < 0.0_dp) f = -f
-        worst%bevel = max(worst%bevel, abs(sin(point%bevel*acos(-1.0_dp)/180.0_dp) + dot_product(n, f)))
+        worst%bevel = max(worst%bevel, &
+            abs(sin(point%bevel*acos(-1.0_dp)/180.0_dp) + dot_product(n, f)))
     end subroutine judge
 
 end module support_cutting
