@@ -10,6 +10,7 @@ program test_chain
     type(chain_type), allocatable :: chains(:)
     type(part_type) :: parts(4)
 
+    allocate (chains(0))
     chains = chains_of([part(1, 2), part(3, 2), part(3, 4)], near)
     call tap%ok(size(chains) == 1 .and. .not. chains(1)%is_closed, &
         'three parts in a row are one open chain')

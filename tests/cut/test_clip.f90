@@ -27,6 +27,7 @@ program test_clip
     body = ellipsoid([5.0_dp, 5.0_dp, 5.0_dp], 0.0_dp, 0.0_dp)
     request = by_number(waterline_plane(3.0_dp), 5)
     tracks = tracks_on(body, 2, request%plane, [-10.0_dp, 10.0_dp])
+    allocate (parts(0))
     parts = clipped(body, request, tracks)
     call tap%ok(size(parts) == 1, 'without limits a track is whole')
     request%limit(2) = limit_type(.true., .false., from=2.4_dp)
@@ -49,6 +50,7 @@ program test_clip
 
     call arc_through(end_type([0.0_dp, -5.0_dp], [1.0_dp, 0.0_dp]), [3.0_dp, -4.0_dp], &
         end_type([5.0_dp, 0.0_dp], [0.0_dp, 1.0_dp]), circle, error)
+    allocate (places(0))
     places = places_within(circle, limit)
     call tap%ok(size(places) == 2 .and. is_start(places(1)) .and. is_finish(places(2)), &
         'without limits an arc is whole')

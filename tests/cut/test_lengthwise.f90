@@ -46,7 +46,9 @@ contains
         call lengthwise_outlines(body, by_number(plane_of([2.0_dp, 0.0_dp, 1.0_dp - 2.0_dp], &
             [1.0_dp, 0.0_dp, -2.0_dp]), 9), outlines, error)
         call tap%ok(size(outlines) == 1, 'a plane along a generator cuts one outline')
+        allocate (x(0))
         x = outlines(1)%points%uv(1)
+        allocate (y(0))
         y = outlines(1)%points%uv(2)
         call tap%near(maxval(abs((y - y(1))/max(x**2, 1.0e-30_dp)*x**2 - (y(size(y)) - y(1)) &
             *x**2/x(size(x))**2)), 0.0_dp, 1.0e-13_dp, 'a parabola in its true shape')

@@ -26,6 +26,7 @@ program test_point
 
     body = ellipsoid([5.0_dp, 5.0_dp, 5.0_dp], 100.0_dp, 20.0_dp)
     plane = waterline_plane(23.0_dp)
+    allocate (tracks(0))
     tracks = tracks_on(body, 2, plane, [0.0_dp, 200.0_dp])
     point = point_on_track(body, plane, tracks(1), 100.0_dp, .false.)
     call tap%near(norm2(point%at - [100.0_dp, 4.0_dp, 23.0_dp]), 0.0_dp, 1.0e-14_dp, &

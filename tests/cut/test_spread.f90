@@ -24,6 +24,7 @@ program test_spread
     integer :: i
 
     body = ellipsoid([5.0_dp, 5.0_dp, 5.0_dp], 0.0_dp, 0.0_dp)
+    allocate (tracks(0))
     tracks = tracks_on(body, 2, waterline_plane(3.0_dp), [-10.0_dp, 10.0_dp])
     call stations_on(body, tracks(1), by_number(waterline_plane(3.0_dp), 7), sta, error)
     call tap%ok(size(sta) == 7, 'as many points as asked')

@@ -20,6 +20,7 @@ program test_track
     logical :: is_arc
 
     body = ellipsoid([5.0_dp, 2.0_dp, 1.0_dp], 0.0_dp, 0.0_dp)
+    allocate (tracks(0))
     tracks = tracks_on(body, 1, buttock_plane(1.6_dp), all_stations)
     call tap%ok(size(tracks) == 1, 'a buttock has one track on the lower section')
     call tap%near(tracks(1)%from%sta, -3.0_dp, 1.0e-15_dp, 'from where the breadth reaches it')
