@@ -182,11 +182,12 @@ contains
         if (loss%sharp > 0) then
             notes = [notes, note_type(.false., 'the skin of '//compact(thickness)// &
                 ' is thicker than the radius of curvature '//compact(loss%radius)//place// &
-                '; '//counted(loss%sharp, 'point')//' of the outline have no inside there')]
+                '; no inside opposite '//counted(loss%sharp, 'point')//' of the outline')]
         end if
         if (loss%beyond > 0) then
-            notes = [notes, note_type(.false., counted(loss%beyond, 'point')//' of the outline '// &
-                'have no inside of the skin opposite: a section or its smooth surface ends there')]
+            notes = [notes, note_type(.false., 'no inside of the skin opposite '// &
+                counted(loss%beyond, 'point')//' of the outline: a section or its smooth surface '// &
+                'ends there')]
         end if
     end subroutine tell
 

@@ -53,7 +53,8 @@ contains
         point%curvature = normal_curvature(skin, way, left_of(plane, way))
     end function point_on_track
 
-    !> The point of the skin moved into the plane along the skin: what rounding of STA left over.
+    !> The point of the skin moved into the plane along the skin: what rounding left over. It keeps
+    !> its STA where the plane crosses the section.
     pure function settled(skin, plane) result(at)
         type(skin_type), intent(in) :: skin     !! at a point next to the plane
         type(plane_type), intent(in) :: plane   !! any plane
@@ -62,7 +63,9 @@ contains
         at = skin%at
         if (.not. skin%has_normal) return
         n = plane%normal/norm2(plane%normal)
-        along = n - dot_product(n, skin%normal)*skin%normal
+        along = [0.0_dp, -skin%normal(3), skin%normal(2)]
+        along = dot_product(along, n)*along
+        if (norm2(along) <= steepest) along = n - dot_product(n, skin%normal)*skin%normal
         if (norm2(along) > steepest) &
             at = at - height_over(plane, at)/dot_product(along, n)*along
     end function settled
