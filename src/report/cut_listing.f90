@@ -17,14 +17,14 @@ module report_cut_listing
     use cut_plane, only: cut_kind, plane_type
     use report_digits, only: fixed, scientific
     use report_ordinate, only: ordinate_form_type, ordinate_text
-    use report_page, only: page_type
+    use report_page, only: page_type, widest_page
     implicit none (type, external)
     private
 
     public :: print_cut, plane_words
 
-    !> Columns of the table.
-    integer, parameter :: ordinate_width = 11, narrow_width = 10, bevel_width = 9
+    !> Columns of the table beside the decimals of its ordinates, and of the bevel.
+    integer, parameter :: ordinate_width = 8, narrow_width = 7, bevel_width = 9
     !> Decimals of slopes and bevels.
     integer, parameter :: slope_decimals = 6, bevel_decimals = 3
     !> Lines of a cut that stay together.
@@ -109,10 +109,13 @@ contains
         character(*), intent(in) :: sections(:)         !! names of the body's sections
         type(ordinate_form_type), intent(in) :: form    !! of ordinates
         type(output_type), intent(inout) :: out         !! where it goes
-        character(80) :: head(1)
-        integer :: i, section
+        character(widest_page), allocatable :: head(:)
+        integer :: i, section, ordinates
+        logical :: is_long
 
-        head(1) = head_row(is_oblique(cut))
+        is_long = takes_two(page, is_oblique(cut), form)
+        ordinates = merge(5, 3, is_oblique(cut))*columns_of(is_oblique(cut), form)
+        head = on_lines(head_row(is_oblique(cut), form), ordinates, is_long)
         call page%set_columns(out, head)
         section = 0
         do i = 1, size(outline%points)
@@ -121,11 +124,39 @@ contains
                     call page%line(out, 'SECTION '//trim(sections(point%section)))
                     section = point%section
                 end if
-                call page%line(out, row(point, is_oblique(cut), form))
+                call print_lines(page, on_lines(row(point, is_oblique(cut), form), ordinates, &
+                    is_long), out)
             end associate
         end do
         call page%end_columns()
     end subroutine print_points
+
+    !> The two parts of a row on one line, or on two where it is too long.
+    pure function on_lines(parts, ordinates, is_long) result(lines)
+        character(*), intent(in) :: parts(2)    !! ordinates, and what follows them
+        integer, intent(in) :: ordinates        !! columns of the first part
+        logical, intent(in) :: is_long          !! two lines
+        character(widest_page), allocatable :: lines(:)
+        allocate (lines(merge(2, 1, is_long)))
+        lines(1) = parts(1)
+        if (is_long) then
+            lines(2) = parts(2)
+        else
+            lines(1)(ordinates + 1:) = parts(2)
+        end if
+    end function on_lines
+
+    !> Prints lines that stay together.
+    subroutine print_lines(page, lines, out)
+        type(page_type), intent(inout) :: page      !! the listing
+        character(*), intent(in) :: lines(:)        !! the lines
+        type(output_type), intent(inout) :: out     !! where they go
+        integer :: i
+        call page%keep(out, size(lines))
+        do i = 1, size(lines)
+            call page%line(out, lines(i))
+        end do
+    end subroutine print_lines
 
     !> Prints the outlines of the inside of the skin.
     subroutine print_inside(page, cut, sections, form, out)
@@ -154,38 +185,60 @@ contains
         end do
     end subroutine print_notes
 
-    !> The heads of the columns.
-    pure function head_row(has_true_shape) result(text)
-        logical, intent(in) :: has_true_shape !! u and v stand in front
-        character(:), allocatable :: text
+    !> The heads of the columns: of the ordinates, and of what follows them.
+    pure function head_row(has_true_shape, form) result(text)
+        logical, intent(in) :: has_true_shape           !! u and v stand in front
+        type(ordinate_form_type), intent(in) :: form    !! of ordinates
+        character(len=widest_page) :: text(2)
         integer :: width
 
-        text = ''
-        width = merge(narrow_width, ordinate_width, has_true_shape)
-        if (has_true_shape) text = right('U', width)//right('V', width)
-        text = text//right('STA', width)//right('BL', width)//right('WL', width)// &
-            right('SLOPE', width)//right('RADIUS', width + 1)//right('BEVEL', bevel_width)
+        width = columns_of(has_true_shape, form)
+        text(1) = right('STA', width)//right('BL', width)//right('WL', width)
+        if (has_true_shape) text(1) = right('U', width)//right('V', width)//text(1)
+        text(2) = right('SLOPE', width)//right('RADIUS', width + 1)//right('BEVEL', bevel_width)
     end function head_row
 
-    !> The row of a point. What does not exist there is left blank.
+    !> The row of a point: its ordinates, and what follows them. What does not exist there is left
+    !> blank.
     pure function row(point, has_true_shape, form) result(text)
         type(cut_point_type), intent(in) :: point       !! the point
         logical, intent(in) :: has_true_shape           !! u and v stand in front
         type(ordinate_form_type), intent(in) :: form    !! of ordinates
-        character(:), allocatable :: text
+        character(len=widest_page) :: text(2)
+        character(:), allocatable :: ordinates
         integer :: width, i
 
-        text = ''
-        width = merge(narrow_width, ordinate_width, has_true_shape)
+        width = columns_of(has_true_shape, form)
+        ordinates = ''
         if (has_true_shape) then
-            text = ordinate_text(form, point%uv(1), width)//ordinate_text(form, point%uv(2), width)
+            ordinates = ordinate_text(form, point%uv(1), width)// &
+                ordinate_text(form, point%uv(2), width)
         end if
         do i = 1, 3
-            text = text//ordinate_text(form, point%at(i), width)
+            ordinates = ordinates//ordinate_text(form, point%at(i), width)
         end do
-        text = text//slope_figure(point, width)//radius_figure(point, form, width + 1)
-        if (point%has_normal) text = text//fixed(point%bevel, bevel_width, bevel_decimals)
+        text(1) = ordinates
+        text(2) = slope_figure(point, width)//radius_figure(point, form, width + 1)
+        if (point%has_normal) then
+            text(2) = text(2)(:2*width + 1)//fixed(point%bevel, bevel_width, bevel_decimals)
+        end if
     end function row
+
+    !> Columns of an ordinate.
+    pure integer function columns_of(has_true_shape, form)
+        logical, intent(in) :: has_true_shape           !! five stand on a line, not three
+        type(ordinate_form_type), intent(in) :: form    !! its decimals
+        columns_of = merge(narrow_width, ordinate_width, has_true_shape) + max(3, form%decimals)
+    end function columns_of
+
+    !> True where a row is too wide for one line of the page, and takes two.
+    pure logical function takes_two(page, has_true_shape, form)
+        type(page_type), intent(in) :: page             !! its width
+        logical, intent(in) :: has_true_shape           !! u and v stand in front
+        type(ordinate_form_type), intent(in) :: form    !! of ordinates
+        takes_two = merge(7, 5, has_true_shape)*columns_of(has_true_shape, form) + 1 + bevel_width &
+            > page%width()
+    end function takes_two
 
     !> The slope of a point in its columns; a steep one has fewer decimals.
     pure function slope_figure(point, width) result(text)
