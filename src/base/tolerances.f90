@@ -29,10 +29,16 @@ module base_tolerances
     !> Relative error asked of the lengths that spread points along an outline: where they stand is
     !> a matter of choice, that they are on the outline is not.
     real(dp), parameter, public :: spacing_tolerance = 1.0e-6_dp
+    !> How far the two ways to a point of a cut may differ before this is an error: deck units, or
+    !> ulp of the largest coordinate where these are more.
+    real(dp), parameter, public :: agreement_tolerance = 1.0e-10_dp, agreement_ulps = 64.0_dp
     !> How far ends of an outline that are one point may miss each other. Relative to the body.
     real(dp), parameter, public :: meeting_tolerance = 1.0e-9_dp
     !> How much of itself the curvature of a line may jump at a joint and still be said to go on:
     !> decimals of cards can't do better, and no curvature comb shows it.
     real(dp), parameter, public :: fair_curvature = 1.0e-3_dp
+    !> By how much end tangents of two sections that meet may differ before it is warned of: more
+    !> than slopes and angles of four figures do, less than can be seen in the skin. Degrees.
+    real(dp), parameter, public :: tangency_tolerance = 1.0e-2_dp
 
 end module base_tolerances

@@ -6,10 +6,13 @@ module cut_inside
     use base_text, only: compact, counted
     use body_body, only: body_type
     use body_offset, only: foot_at, foot_type, parallel_curvature, steepest_curvature, way_inside
+    use body_skin, only: skin_at, skin_type
     use cut_outline, only: cut_point_type, cut_type, note_type, outline_type
-    use cut_plane, only: cut_kind, in_view, true_shape
+    use cut_plane, only: cut_kind, height_over, in_view, true_shape
     use cut_point, only: across, give_bevel, left_of
     use geom_arc_point, only: slope_along
+    use geom_place, only: is_finish, is_start, place_type
+    use geom_zeros, only: function_type, zeros_of
     implicit none (type, external)
     private
 
@@ -25,6 +28,19 @@ module cut_inside
         real(dp) :: at(3) = 0.0_dp          !! where: STA, BL, WL
         integer(i64) :: beyond = 0          !! points opposite to which the skin has no inside
     end type loss_type
+
+    !> An edge of a section and the inside opposite to it, over STA.
+    type, extends(function_type) :: rim_type
+        type(body_type) :: body         !! finished, both halves
+        type(cut_type) :: cut           !! plane and thickness
+        integer :: section = 0          !! which of its sections
+        type(place_type) :: place       !! its start or its finish
+    contains
+        procedure :: at => rim_at
+    end type rim_type
+
+    !> How far along STA the end of the inside is looked for, in thicknesses.
+    real(dp), parameter :: reach = 8.0_dp
 
 contains
 
@@ -106,8 +122,52 @@ contains
                 if (is_found) call describe(cut, ahead, foot, point)
             end if
         end if
+        if (is_found .or. .not. point%has_normal) return
+        call end_on_edge(body, cut, ahead, point, is_found)
         if (.not. is_found) call lose(cut%skin, foot, point, loss)
     end subroutine pass_through
+
+    !> Where the skin ends at an edge of its section, its inside ends opposite to another point of
+    !> that edge: the nearest whose inside is in the plane.
+    pure subroutine end_on_edge(body, cut, ahead, point, is_found)
+        type(body_type), intent(in) :: body             !! finished, both halves
+        type(cut_type), intent(in) :: cut               !! plane, flange, thickness
+        real(dp), intent(in) :: ahead(2)                !! about which way the outline goes
+        type(cut_point_type), intent(inout) :: point    !! of the outside; then of the inside
+        logical, intent(out) :: is_found                !! there is such a point
+        type(rim_type) :: rim
+        type(skin_type) :: skin
+        type(foot_type) :: foot
+        real(dp), allocatable :: sta(:)
+        real(dp) :: near
+
+        is_found = is_start(point%place) .or. is_finish(point%place)
+        if (.not. is_found) return
+        rim = rim_type(body, cut, point%section, point%place)
+        allocate (sta(0))
+        near = point%at(1)
+        associate (section => body%sections(point%section))
+            sta = zeros_of(rim, max(section%from, near - reach*cut%skin), &
+                min(section%to, near + reach*cut%skin), 0.0_dp)
+        end associate
+        is_found = size(sta) > 0
+        if (.not. is_found) return
+        near = sta(minloc(abs(sta - near), dim=1))
+        skin = skin_at(body%lines, body%sections(point%section), near, point%place)
+        call foot_at(body, point%section, skin%at, skin%normal, foot, is_found)
+        if (is_found) is_found = cut%skin*steepest_curvature(foot) < 1.0_dp
+        if (is_found) call describe(cut, ahead, foot, point)
+    end subroutine end_on_edge
+
+    !> The height over the plane of the inside opposite to an edge, at a station.
+    pure real(dp) function rim_at(f, x) result(height)
+        class(rim_type), intent(in) :: f    !! edge and plane
+        real(dp), intent(in) :: x           !! station, deck units
+        type(skin_type) :: skin
+
+        skin = skin_at(f%body%lines, f%body%sections(f%section), x, f%place)
+        height = height_over(f%cut%plane, skin%at - f%cut%skin*skin%normal)
+    end function rim_at
 
     !> Where the skin is not smooth but has a normal in the plane, as at a round nose on its axis.
     pure subroutine step_in(cut, n, point, is_found)
@@ -186,7 +246,8 @@ contains
         end if
         if (loss%beyond > 0) then
             notes = [notes, note_type(.false., 'no inside of the skin opposite '// &
-                counted(loss%beyond, 'point')//' of the outline: a section or its smooth surface '// &
+                counted(loss%beyond, &
+                'point')//' of the outline: a section or its smooth surface '// &
                 'ends there')]
         end if
     end subroutine tell

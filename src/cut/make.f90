@@ -5,12 +5,12 @@ module cut_make
     use base_text, only: compact
     use base_tolerances, only: meeting_tolerance
     use body_body, only: body_type, mirrored_body
-    use body_gap, only: gap_type, section_gaps
     use body_section, only: trace_at, trace_type
     use cut_inside, only: inside_outlines
     use cut_lengthwise, only: lengthwise_outlines
     use cut_meeting, only: is_across
-    use cut_outline, only: cut_type, note_type, outline_type
+    use cut_note, only: note_disagreement, note_sections
+    use cut_outline, only: cut_type, outline_type
     use cut_plane, only: cut_kind, plane_type
     use cut_request, only: request_type
     use cut_station, only: station_outlines
@@ -52,9 +52,10 @@ contains
             call lengthwise_outlines(whole, request, cut%outlines, error)
         end if
         if (allocated(error)) return
-        call note_gaps(body, request, cut%notes)
+        call note_sections(body, cut%plane, range_asked(request), cut%notes)
         if (request%skin > 0.0_dp) call inside_outlines(mirrored_body(whole), cut)
         cut%disagreement = largest_disagreement(whole, cut%plane, cut%outlines)
+        call note_disagreement(cut)
         count = size(body%sections)
         call name_originals(count, cut%outlines)
         call name_originals(count, cut%inside)
@@ -144,27 +145,5 @@ contains
             end associate
         end do
     end subroutine name_originals
-
-    !> Says where a section has no arc within the stations asked.
-    pure subroutine note_gaps(body, request, notes)
-        type(body_type), intent(in) :: body                         !! finished
-        type(request_type), intent(in) :: request                   !! what is asked
-        type(note_type), allocatable, intent(out) :: notes(:)       !! one a gap
-        type(gap_type), allocatable :: gaps(:)
-        real(dp) :: asked(2)
-        integer :: i, k
-
-        allocate (notes(0), gaps(0))
-        asked = range_asked(request)
-        do i = 1, size(body%sections)
-            gaps = section_gaps(body, body%sections(i))
-            do k = 1, size(gaps)
-                if (gaps(k)%from > asked(2) .or. gaps(k)%to < asked(1)) cycle
-                notes = [notes, note_type(.true., 'section '//trim(body%sections(i)%name)// &
-                    ' does not exist from station '//compact(gaps(k)%from)//' to '// &
-                    compact(gaps(k)%to)//'; '//gaps(k)%reason)]
-            end do
-        end do
-    end subroutine note_gaps
 
 end module cut_make

@@ -34,6 +34,7 @@ program test_inside
     call tap%ok(size(cut%inside(1)%points) == 0, 'a plane that passes the inside by has none')
     call tap%ok(size(cut%notes) == 1, 'and a note')
     call check_ellipsoid()
+    call check_edge()
     cut = cut_of(body, by_number(waterline_plane(2.0_dp), 5))
     call tap%ok(size(cut%inside) == 0, 'where no skin is asked there is no inside')
     call tap%finish()
@@ -74,6 +75,18 @@ contains
         call tap%ok(all(cut%inside(1)%points%curvature*cut%outlines(1)%points%curvature > 0.0_dp), &
             'turning the same way, '//name)
     end subroutine check_sphere
+
+    !> Where the skin ends at the greatest breadth, its inside ends opposite to it.
+    subroutine check_edge()
+        type(body_type) :: half
+        half = body
+        half%sections = body%sections(:1)
+        cut = cut_of(half, request_of(station_plane(3.0_dp), 1.0_dp))
+        call tap%ok(size(cut%inside(1)%points) == 9, 'the inside of a lower half is whole')
+        call tap%near(norm2(cut%inside(1)%points(9)%at - [3.0_dp, sqrt(7.0_dp), 0.0_dp]), 0.0_dp, &
+            1.0e-14_dp, 'and ends opposite to the edge')
+        call tap%ok(size(cut%notes) == 0, 'which needs no note')
+    end subroutine check_edge
 
     !> A point of the inside is P = Q - t n(Q) with Q on the ellipsoid.
     subroutine check_ellipsoid()

@@ -16,7 +16,7 @@ program test_make
     use support_tap, only: tap_type
     implicit none (type, external)
 
-    real(dp), parameter :: axes(3) = [3.0_dp, 2.0_dp, 1.0_dp], none(3) = 0.0_dp
+    real(dp), parameter :: axes(3) = [3.0_dp, 2.0_dp, 1.0_dp]
     type(tap_type) :: tap
     type(random_type) :: random
 

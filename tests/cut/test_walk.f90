@@ -22,6 +22,7 @@ program test_walk
     real(dp) :: length
 
     body = ellipsoid([5.0_dp, 5.0_dp, 5.0_dp], 0.0_dp, 0.0_dp)
+    allocate (tracks(0))
     tracks = tracks_on(body, 2, waterline_plane(3.0_dp), [-10.0_dp, 10.0_dp])
     speed%body = body
     speed%plane = waterline_plane(3.0_dp)

@@ -1,0 +1,107 @@
+!> What there is to say of a cut: where sections have no arc, or lie in the plane; where the two
+!> ways do not agree.
+module cut_note
+    use base_kinds, only: dp
+    use base_text, only: compact
+    use base_tolerances, only: agreement_tolerance, agreement_ulps, ulp
+    use body_body, only: body_type, smooth_stops
+    use body_gap, only: gap_type, section_gaps
+    use body_section, only: section_type, trace_at, trace_type
+    use cut_meeting, only: edge_height, height_noise
+    use cut_outline, only: cut_type, note_type
+    use cut_plane, only: plane_type
+    use geom_twofold, only: to_real
+    implicit none (type, external)
+    private
+
+    public :: note_sections, note_disagreement
+
+contains
+
+    !> Notes of the sections at the stations asked: gaps, which are errors, and parts that lie in
+    !> the plane as a whole, of which there is no outline.
+    pure subroutine note_sections(body, plane, asked, notes)
+        type(body_type), intent(in) :: body                         !! finished
+        type(plane_type), intent(in) :: plane                       !! any plane
+        real(dp), intent(in) :: asked(2)                            !! stations, deck units
+        type(note_type), allocatable, intent(inout) :: notes(:)     !! gets one for each
+        type(gap_type), allocatable :: gaps(:)
+        real(dp), allocatable :: stops(:)
+        integer :: i, k
+
+        if (.not. allocated(notes)) allocate (notes(0))
+        allocate (gaps(0), stops(0))
+        do i = 1, size(body%sections)
+            associate (section => body%sections(i))
+                gaps = section_gaps(body, section)
+                do k = 1, size(gaps)
+                    if (gaps(k)%from > asked(2) .or. gaps(k)%to < asked(1)) cycle
+                    notes = [notes, note_type(.true., 'section '//trim(section%name)// &
+                        ' does not exist'//between(gaps(k)%from, gaps(k)%to)//'; '//gaps(k)%reason)]
+                end do
+                stops = smooth_stops(body, section)
+                do k = 1, size(stops) - 1
+                    if (stops(k) > asked(2) .or. stops(k + 1) < asked(1)) cycle
+                    if (.not. lies_in(body, section, plane, stops(k:k + 1))) cycle
+                    notes = [notes, note_type(.false., 'section '//trim(section%name)// &
+                        ' lies in the plane of the cut'//between(stops(k), stops(k + 1))// &
+                        '; it has no outline there, but those of its neighbours')]
+                end do
+            end associate
+        end do
+    end subroutine note_sections
+
+    !> A range of stations in words.
+    pure function between(from, to) result(words)
+        real(dp), intent(in) :: from    !! deck units
+        real(dp), intent(in) :: to      !! deck units
+        character(:), allocatable :: words
+        words = ' from station '//compact(from)//' to '//compact(to)
+    end function between
+
+    !> True where a section is all in a plane, between two joints of its lines: its three points
+    !> are, at four stations of which no three are special.
+    pure logical function lies_in(body, section, plane, ends)
+        type(body_type), intent(in) :: body         !! finished
+        type(section_type), intent(in) :: section   !! one of its sections
+        type(plane_type), intent(in) :: plane       !! any plane
+        real(dp), intent(in) :: ends(2)             !! stations, deck units
+        real(dp), parameter :: share(4) = [0.13_dp, 0.37_dp, 0.61_dp, 0.89_dp]
+        type(trace_type) :: trace
+        real(dp) :: sta
+        integer :: i
+
+        lies_in = .true.
+        do i = 1, size(share)
+            sta = ends(1) + share(i)*(ends(2) - ends(1))
+            trace = trace_at(body%lines, section, sta)
+            lies_in = lies_in .and. is_in(trace%start%point) .and. is_in(trace%shoulder) &
+                .and. is_in(trace%finish%point)
+        end do
+    contains
+        !> True for a point of the plane, as far as decimals can say.
+        pure logical function is_in(at)
+            real(dp), intent(in) :: at(2) !! BL, WL, deck units
+            is_in = abs(to_real(edge_height(plane, sta, at))) <= height_noise(plane, sta, at)
+        end function is_in
+    end function lies_in
+
+    !> Notes, as an error, that the two ways to the points of a cut do not agree.
+    pure subroutine note_disagreement(cut)
+        type(cut_type), intent(inout) :: cut !! has outlines and disagreement
+        real(dp) :: largest
+        integer :: i
+
+        largest = 0.0_dp
+        do i = 1, size(cut%outlines)
+            largest = max(largest, maxval(abs(cut%outlines(i)%points%at(1))), &
+                maxval(abs(cut%outlines(i)%points%at(2))), &
+                maxval(abs(cut%outlines(i)%points%at(3))))
+        end do
+        if (cut%disagreement <= max(agreement_tolerance, agreement_ulps*ulp*largest)) return
+        cut%notes = [cut%notes, note_type(.true., &
+            'the two ways to the points of the cut differ by '// &
+            compact(cut%disagreement)//'; its figures can''t be relied upon')]
+    end subroutine note_disagreement
+
+end module cut_note
