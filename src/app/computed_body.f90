@@ -1,6 +1,7 @@
 !> Everything a body deck asks of one body, computed once: printed as listing or CSV, or drawn.
 module app_computed_body
     use app_requests, only: requests_of
+    use app_ring_faults, only: warn_of_ring
     use base_decimal, only: to_real
     use base_error, only: error_type
     use base_fault, only: fault_list_type
@@ -10,6 +11,8 @@ module app_computed_body
     use body_build, only: build_body
     use body_gap, only: gap_type, section_gaps
     use body_ledger, only: joint_type
+    use body_ring, only: ring_of
+    use body_ring_list, only: ring_type
     use cut_clearance, only: check_clearance, clearance_type, component_kind, component_type
     use cut_clearance_map, only: map_type, new_map
     use cut_make, only: make_cut
@@ -31,6 +34,7 @@ module app_computed_body
         type(body_type) :: body                                     !! lines and sections
         character(name_length), allocatable :: sections(:)          !! names of its sections
         type(joint_type), allocatable :: joints(:)                  !! the continuity ledger
+        type(ring_type) :: ring                                     !! how its sections meet
         type(cut_type), allocatable :: cuts(:)                      !! in the order of the deck
         type(offset_table_type) :: heights                          !! on the butt lines asked for
         type(offset_table_type) :: half_breadths                    !! on the waterlines
@@ -49,6 +53,8 @@ contains
         real(dp), allocatable :: stations(:)
 
         call cuts_of_body(job, number, computed, faults)
+        computed%ring = ring_of(computed%body)
+        call warn_of_ring(job%body(number), computed%body, computed%ring, faults)
         stations = cut_at(computed%cuts, cut_kind%station, 1)
         computed%heights = heights(computed%body, cut_at(computed%cuts, cut_kind%buttock, 2), &
             stations)

@@ -89,6 +89,7 @@ contains
         do i = 1, size(job%body)
             call compute_body(job, i, computed, faults)
             call listing%print_body_head(computed%body, computed%joints, out)
+            call listing%print_body_ring(computed%body, computed%ring, out)
             call listing%print_offset_tables(computed%heights, computed%half_breadths, &
                 computed%sections, out)
             call listing%print_body_measures(computed%measure, out)

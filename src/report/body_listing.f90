@@ -1,9 +1,10 @@
 !> The listing of a body deck, part by part in the order lofts print it: title page, then for each
-!> body its ledger, offset tables, measures, clearances and cuts.
+!> body its ledger, how its sections meet, offset tables, measures, clearances and cuts.
 module report_body_listing
     use base_output, only: output_type
     use body_body, only: body_type
     use body_ledger, only: joint_type
+    use body_ring_list, only: ring_type
     use cut_clearance, only: clearance_type
     use cut_measure_body, only: body_measure_type
     use cut_offsets, only: offset_table_type
@@ -16,6 +17,7 @@ module report_body_listing
     use report_offset_listing, only: print_offsets
     use report_ordinate, only: new_form, ordinate_form_type
     use report_page, only: page_type
+    use report_ring_listing, only: print_ring
     use report_title_page, only: print_title_page
     implicit none (type, external)
     private
@@ -31,6 +33,7 @@ module report_body_listing
     contains
         procedure :: begin
         procedure :: print_body_head
+        procedure :: print_body_ring
         procedure :: print_offset_tables
         procedure :: print_body_measures
         procedure :: print_body_clearances
@@ -71,6 +74,15 @@ contains
         end if
         call print_ledger(listing%page, joints, listing%form, out)
     end subroutine print_body_head
+
+    !> Prints how the sections of a body meet.
+    subroutine print_body_ring(listing, body, ring, out)
+        class(body_listing_type), intent(inout) :: listing  !! the listing
+        type(body_type), intent(in) :: body                 !! the body
+        type(ring_type), intent(in) :: ring                 !! of the body
+        type(output_type), intent(inout) :: out             !! where it goes
+        call print_ring(listing%page, body, ring, listing%form, out)
+    end subroutine print_body_ring
 
     !> Prints the tables of offsets.
     subroutine print_offset_tables(listing, heights, half_breadths, sections, out)

@@ -1,0 +1,106 @@
+!> What is wrong with the way sections of a body go round it, said of the SECTION cards: a skin that
+!> breaks where two of them meet, and ends that meet nothing though the deck says CLOSE.
+module app_ring_faults
+    use base_fault, only: fault_list_type
+    use base_text, only: compact
+    use body_body, only: body_type
+    use body_ring_end, only: line_of_end, name_of_end, section_of
+    use body_ring_list, only: is_broken, loose_end_type, meeting_type, ring_type
+    use deck_body_card, only: warn
+    use deck_job, only: asked_body_type => body_type
+    implicit none (type, external)
+    private
+
+    public :: warn_of_ring
+
+contains
+
+    !> Warns of breaks over `tangency_tolerance` and, where the body is to be closed, of loose ends.
+    !> Of a section on both sides only the starboard one is spoken of.
+    subroutine warn_of_ring(asked, body, ring, faults)
+        type(asked_body_type), intent(in) :: asked      !! as the deck has it
+        type(body_type), intent(in) :: body             !! as built
+        type(ring_type), intent(in) :: ring             !! of the body
+        type(fault_list_type), intent(inout) :: faults  !! warnings are added
+        integer :: i
+
+        do i = 1, size(ring%meetings)
+            associate (meeting => ring%meetings(i))
+                if (.not. is_broken(meeting)) cycle
+                if (is_image(body, meeting%end)) cycle
+                call warn_of_section(asked, body, maxval(meeting%end), &
+                    break_words(body, meeting), faults)
+            end associate
+        end do
+        if (.not. body%is_closed) return
+        do i = 1, size(ring%loose)
+            if (is_image(body, [ring%loose(i)%end])) cycle
+            call warn_of_section(asked, body, ring%loose(i)%end, &
+                loose_words(body, ring%loose(i)), faults)
+        end do
+    end subroutine warn_of_ring
+
+    !> True where all ends are of port sections whose starboard originals stand before them.
+    pure logical function is_image(body, ends)
+        type(body_type), intent(in) :: body !! as built
+        integer, intent(in) :: ends(:)      !! as `body_ring_end` counts; 0: mirror image
+        integer :: i, number
+
+        is_image = .true.
+        do i = 1, size(ends)
+            if (ends(i) == 0) cycle
+            number = section_of(ends(i))
+            is_image = is_image .and. body%sections(number)%is_port .and. &
+                any(body%sections(:number - 1)%name == body%sections(number)%name)
+        end do
+    end function is_image
+
+    !> Warns on the card of the section of an end.
+    subroutine warn_of_section(asked, body, end, message, faults)
+        type(asked_body_type), intent(in) :: asked      !! as the deck has it
+        type(body_type), intent(in) :: body             !! as built
+        integer, intent(in) :: end                      !! as `body_ring_end` counts
+        character(*), intent(in) :: message             !! what the user will want to know
+        type(fault_list_type), intent(inout) :: faults  !! gets the warning
+        integer :: i
+
+        do i = 1, size(asked%section)
+            if (asked%section(i)%name /= body%sections(section_of(end))%name) cycle
+            call warn(asked%section(i)%card, 2, message, faults)
+            return
+        end do
+    end subroutine warn_of_section
+
+    !> A break in words.
+    pure function break_words(body, meeting) result(words)
+        type(body_type), intent(in) :: body         !! as built
+        type(meeting_type), intent(in) :: meeting   !! broken
+        character(:), allocatable :: words
+
+        words = 'on '//line_of_end(body, meeting%end(1))//' the skin breaks by up to '// &
+            compact(meeting%break)//' degrees, at station '//compact(meeting%sta)//', between '// &
+            name_of_end(body, meeting%end(1))
+        if (meeting%end(2) > 0) then
+            words = words//' and '//name_of_end(body, meeting%end(2))// &
+                '; where no edge is meant give both the same slope'
+        else
+            words = words//' and its mirror image; where no edge is meant make its slope there 0.'
+        end if
+    end function break_words
+
+    !> A loose end in words.
+    pure function loose_words(body, loose) result(words)
+        type(body_type), intent(in) :: body         !! as built
+        type(loose_end_type), intent(in) :: loose   !! end of one of its sections
+        character(:), allocatable :: words
+
+        words = 'from station '//compact(loose%from)//' to '//compact(loose%to)//' section '// &
+            name_of_end(body, loose%end)//' meets no other on '//line_of_end(body, loose%end)
+        if (loose%next > 0) words = words//' ('//name_of_end(body, loose%next)//' on '// &
+            line_of_end(body, loose%next)//' is up to '//compact(norm2(loose%gap))//' away, at '// &
+            'station '//compact(loose%sta)//')'
+        words = words//', so that the body is not closed; let two sections share the line, or '// &
+            'take CLOSE out'
+    end function loose_words
+
+end module app_ring_faults

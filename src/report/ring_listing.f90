@@ -1,0 +1,123 @@
+!> How sections go round the body, on pages: each pair that meets with the largest break of the
+!> skin there, how each stretch of stations closes, and ends that are loose.
+!>
+!>     SECTION     MEETS       ON                FROM          TO   DEGREES         STA
+!>     UPPER       LOWER       MHB             10.000      80.000   0.00000
+!>     UPPER       ITS IMAGE   UCL             10.000      80.000   2.29100      10.000
+module report_ring_listing
+    use base_kinds, only: dp
+    use base_output, only: output_type
+    use base_text, only: right
+    use body_body, only: body_type
+    use body_ring_end, only: line_of_end, name_of_end
+    use body_ring_list, only: closure, loose_end_type, meeting_type, ring_type, stretch_type
+    use report_digits, only: fixed
+    use report_ordinate, only: ordinate_form_type, ordinate_text
+    use report_page, only: page_columns, page_type
+    implicit none (type, external)
+    private
+
+    public :: print_ring
+
+    !> Columns of the table, and decimals of a break in degrees.
+    integer, parameter :: name_width = 12, ordinate_width = 12, break_width = 10, break_decimals = 5
+
+contains
+
+    !> Prints how the sections of a body meet; nothing of a body without sections.
+    subroutine print_ring(page, body, ring, form, out)
+        type(page_type), intent(inout) :: page          !! the listing
+        type(body_type), intent(in) :: body             !! the body
+        type(ring_type), intent(in) :: ring             !! of the body
+        type(ordinate_form_type), intent(in) :: form    !! unit and decimals
+        type(output_type), intent(inout) :: out         !! where it goes
+        character(page_columns) :: head(2)
+        integer :: i
+
+        if (size(ring%stretches) == 0) return
+        call page%keep(out, 8)
+        call page%line(out, 'SECTIONS WHERE THEY MEET')
+        if (size(ring%meetings) > 0) then
+            head(1) = right('COMMON RANGE', 3*name_width + 2*ordinate_width - 2)// &
+                right('LARGEST BREAK', break_width + ordinate_width)
+            head(2) = 'SECTION     MEETS       ON          '//right('FROM', ordinate_width - 2)// &
+                right('TO', ordinate_width)//right('DEGREES', break_width)// &
+                right('STA', ordinate_width)
+            call page%set_columns(out, head)
+            do i = 1, size(ring%meetings)
+                call page%line(out, row(body, ring%meetings(i), form))
+            end do
+            call page%end_columns()
+        end if
+        do i = 1, size(ring%stretches)
+            call page%paragraph(out, stretch_words(ring%stretches(i), form))
+        end do
+        do i = 1, size(ring%loose)
+            call page%paragraph(out, '  '//loose_words(body, ring%loose(i), form))
+        end do
+        call page%blank(out)
+        call page%blank(out)
+    end subroutine print_ring
+
+    !> The row of a meeting; a break that shows as zero is nowhere.
+    pure function row(body, meeting, form) result(text)
+        type(body_type), intent(in) :: body             !! the body
+        type(meeting_type), intent(in) :: meeting       !! of two of its sections
+        type(ordinate_form_type), intent(in) :: form    !! unit and decimals
+        character(:), allocatable :: text
+        character(name_width) :: first, second, line
+
+        first = name_of_end(body, meeting%end(1))
+        second = 'ITS IMAGE'
+        if (meeting%end(2) > 0) second = name_of_end(body, meeting%end(2))
+        line = line_of_end(body, meeting%end(1))
+        text = first//second//line// &
+            ordinate_text(form, meeting%from, ordinate_width - 2)// &
+            ordinate_text(form, meeting%to, ordinate_width)// &
+            fixed(meeting%break, break_width, break_decimals)
+        if (meeting%break*10.0_dp**break_decimals >= 0.5_dp) &
+            text = text//ordinate_text(form, meeting%sta, ordinate_width)
+    end function row
+
+    !> How a stretch closes, in words.
+    pure function stretch_words(stretch, form) result(words)
+        type(stretch_type), intent(in) :: stretch       !! of stations
+        type(ordinate_form_type), intent(in) :: form    !! unit and decimals
+        character(:), allocatable :: words
+
+        words = 'FROM STA '//figure(form, stretch%from)//' TO STA '//figure(form, stretch%to)
+        select case (stretch%closure)
+        case (closure%round)
+            words = words//' THE SECTIONS GO ALL ROUND'
+        case (closure%halves)
+            words = words//' THE SECTIONS GO FROM BL 0 TO BL 0'
+        case default
+            words = words//' THE SECTIONS ARE OPEN'
+        end select
+    end function stretch_words
+
+    !> A loose end in words, with the way to the next.
+    pure function loose_words(body, loose, form) result(words)
+        type(body_type), intent(in) :: body             !! the body
+        type(loose_end_type), intent(in) :: loose       !! end of one of its sections
+        type(ordinate_form_type), intent(in) :: form    !! unit and decimals
+        character(:), allocatable :: words
+
+        words = 'FROM STA '//figure(form, loose%from)//' TO STA '//figure(form, loose%to)//' '// &
+            name_of_end(body, loose%end)//' MEETS NO SECTION ON '//line_of_end(body, loose%end)
+        if (loose%next == 0) return
+        words = words//'; THE NEXT SUCH END, OF '//name_of_end(body, loose%next)//' ON '// &
+            line_of_end(body, loose%next)//', IS UP TO '//figure(form, loose%gap(1))// &
+            ' IN BL AND '//figure(form, loose%gap(2))//' IN WL AWAY, AT STA '// &
+            figure(form, loose%sta)
+    end function loose_words
+
+    !> An ordinate without blanks.
+    pure function figure(form, value) result(text)
+        type(ordinate_form_type), intent(in) :: form    !! unit and decimals
+        real(dp), intent(in) :: value                   !! deck units
+        character(:), allocatable :: text
+        text = trim(adjustl(ordinate_text(form, value, 2*ordinate_width)))
+    end function figure
+
+end module report_ring_listing
