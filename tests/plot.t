@@ -184,9 +184,9 @@ awk 'BEGIN { for (i = 1; i <= 300; i++) printf "%8.2f%8.2f0.      %8.2f%8.2f%8.2
 plot crowd.crd
 [ "$status" = 0 ] && [ ! -s err ] && [ "$(grep -c '^# curve' crowd-plots/conics.dat)" = 300 ]
 ok $? 'three hundred curves are drawn' "$(seen)"
-{ head -n 9 "$deck"; echo 'bad card'; tail -n +10 "$deck"; } > half.crd
+{ head -n 10 "$deck"; echo 'bad card'; tail -n +11 "$deck"; } > half.crd
 plot half.crd
-[ "$status" = 1 ] && grep -q '^half.crd:10:' err && [ -s half-plots/side.svg ]
+[ "$status" = 1 ] && grep -q '^half.crd:11:' err && [ -s half-plots/side.svg ]
 ok $? 'a bad card is reported, the others are drawn: status 1' "$(seen)"
 
 # Names that would like to be commands, of the shell or of gnuplot, by any of their quotes.

@@ -2,7 +2,8 @@
 !> decides: SIDE, PLAN, or STA, STATION or SECTION as a word of its own, in any case and the first
 !> of these in this order. All other cards share a picture.
 module app_pictures
-    use app_files, only: base_name, deck_file_type
+    use app_files, only: base_name
+    use app_input, only: deck_input_type
     use base_error, only: error_type
     use base_fault, only: fault_list_type
     use base_output, only: output_type
@@ -12,7 +13,6 @@ module app_pictures
     use deck_conic_deck, only: conic_deck_type, found
     use deck_control_card, only: heading_type
     use deck_layout, only: conic
-    use deck_source, only: source_type
     use export_picture, only: curve_type, picture_type
     use report_fault, only: print_faults
     implicit none (type, external)
@@ -29,36 +29,32 @@ contains
     !> and left out.
     !>
     !> Fails with `cause%file_trouble` where the deck can't be read.
-    subroutine read_pictures(name, pictures, is_faulty, messages, error)
-        character(*), intent(in) :: name                    !! of the deck; `-` is standard input
+    subroutine read_pictures(input, pictures, is_faulty, messages, error)
+        type(deck_input_type), intent(inout) :: input       !! the deck, at its first card
         type(picture_type), intent(out) :: pictures(4)      !! side, plan, sections, conics
         logical, intent(out) :: is_faulty                   !! a card was in error
         type(output_type), intent(inout) :: messages        !! diagnostics
         type(error_type), allocatable, intent(out) :: error !! see above
-        type(deck_file_type) :: file
-        type(source_type) :: source
         type(conic_deck_type) :: deck
         type(conic_card_type) :: card
         type(fault_list_type) :: faults
         integer :: outcome
 
         is_faulty = .false.
-        call file%open(name, source, error)
-        if (allocated(error)) return
+        deck%heading = input%opening%heading
         do
-            call deck%next(source, card, outcome, faults, error)
+            call deck%next(input%source, card, outcome, faults, error)
             if (allocated(error)) then
-                error%message = name//': '//error%message
-                exit
+                error%message = input%name//': '//error%message
+                return
             end if
             if (outcome == found%conic) call take_card(card, pictures, faults)
-            call print_faults(faults, name, .false., messages)
+            call print_faults(faults, input%name, .false., messages)
             is_faulty = is_faulty .or. faults%has_errors(0)
             call faults%clear()
             if (outcome == found%finished) exit
         end do
-        call file%close()
-        call name_pictures(deck%heading, name, pictures)
+        call name_pictures(deck%heading, input%name, pictures)
     end subroutine read_pictures
 
     !> Puts the arc of a card on its picture.

@@ -1,0 +1,277 @@
+!> The pictures of a body deck: the lines plan, each cut in its true shape, the combs and the area
+!> curve of each body, the view in space.
+module app_plot_body
+    use app_computed_body, only: compute_body, computed_body_type
+    use app_files, only: base_name, result_file_type
+    use app_input, only: deck_input_type
+    use app_picture_folder, only: add_picture, begin_folder, folder_type
+    use app_plan_cuts, only: closely, plan_cuts
+    use app_requests, only: requests_of
+    use base_error, only: error_type
+    use base_fault, only: fault_list_type
+    use base_kinds, only: dp
+    use base_output, only: output_type
+    use base_text, only: row_of, to_text
+    use body_body, only: body_type
+    use cut_make, only: make_cut
+    use cut_outline, only: cut_type
+    use cut_plane, only: cut_kind, plane_type
+    use cut_request, only: request_type
+    use deck_job, only: asked_body_type => body_type, job_type
+    use deck_job_reader, only: read_job
+    use export_body_area, only: area_drawing
+    use export_body_combs, only: combs_drawing
+    use export_body_cut, only: cut_drawing, kind_word
+    use export_body_drawing, only: drawing_type, mark_of
+    use export_body_gnuplot, only: print_drawing_data, print_drawing_script
+    use export_body_lines, only: find_corners, lines_plan
+    use export_body_view, only: view_drawing
+    use report_fault, only: print_faults
+    implicit none (type, external)
+    private
+
+    public :: plot_body
+
+    !> The scripts that those of the pictures load.
+    character(*), parameter :: shared_scripts(5) = [character(10) :: 'style.gp', 'strokes.gp', &
+        'sheet.gp', 'chart.gp', 'space.gp']
+
+    !> What the pictures of a deck have in common.
+    type :: deck_type
+        type(job_type) :: job                   !! the deck
+        character(:), allocatable :: heading    !! its title, or its name
+        character(:), allocatable :: unit       !! name of its unit
+        integer :: cuts = 0                     !! cuts drawn so far
+    end type deck_type
+
+contains
+
+    !> Reads a body deck and writes data and scripts of its pictures.
+    !>
+    !> Fails with `cause%file_trouble` where the deck can't be read or a file not be written.
+    subroutine plot_body(input, folder, is_faulty, messages, error)
+        type(deck_input_type), intent(inout) :: input       !! the deck, at its first card
+        type(folder_type), intent(inout) :: folder          !! gets the pictures
+        logical, intent(out) :: is_faulty                   !! a card was in error
+        type(output_type), intent(inout) :: messages        !! diagnostics
+        type(error_type), allocatable, intent(out) :: error !! see above
+        type(fault_list_type) :: faults
+        type(deck_type) :: deck
+
+        is_faulty = .true.
+        call read_job(input%source, input%opening%heading, deck%job, faults, error)
+        if (allocated(error)) then
+            error%message = input%name//': '//error%message
+            return
+        end if
+        call name_deck(input%name, deck)
+        call plot_bodies(deck, folder, faults, error)
+        call print_faults(faults, input%name, .false., messages)
+        is_faulty = faults%has_errors(0)
+    end subroutine plot_body
+
+    !> Sets what the pictures are called: the title of the deck, else its name.
+    subroutine name_deck(name, deck)
+        character(*), intent(in) :: name        !! of the deck; `-` is standard input
+        type(deck_type), intent(inout) :: deck  !! with its job; gets heading and unit
+
+        deck%heading = ''
+        if (allocated(deck%job%title)) deck%heading = deck%job%title
+        if (deck%heading == '') deck%heading = base_name(name)
+        if (deck%heading == '-') deck%heading = 'standard input'
+        deck%unit = 'inches'
+        if (deck%job%units == 'MM') deck%unit = 'mm'
+        if (deck%job%units == 'FEET') deck%unit = 'feet'
+    end subroutine name_deck
+
+    !> Writes the pictures of all bodies.
+    !>
+    !> Fails with `cause%file_trouble`.
+    subroutine plot_bodies(deck, folder, faults, error)
+        type(deck_type), intent(inout) :: deck              !! the deck
+        type(folder_type), intent(inout) :: folder          !! gets the pictures
+        type(fault_list_type), intent(inout) :: faults      !! what is wrong is added
+        type(error_type), allocatable, intent(out) :: error !! see above
+        type(computed_body_type), allocatable :: computed(:)
+        type(body_type), allocatable :: bodies(:)
+        type(cut_type), allocatable :: asked(:)
+        integer :: i
+
+        allocate (computed(size(deck%job%body)), asked(0), bodies(0))
+        do i = 1, size(computed)
+            call compute_body(deck%job, i, computed(i), faults)
+            asked = [asked, computed(i)%cuts]
+            if (size(computed(i)%body%sections) > 0) bodies = [bodies, computed(i)%body]
+        end do
+        if (size(bodies) == 0) return
+        call begin_folder(folder, shared_scripts, error)
+        if (.not. allocated(error)) then
+            call write_drawing(lines_plan(bodies, plan_cuts(bodies, asked), deck%heading, &
+                deck%unit), 'lines', folder, error)
+            if (.not. allocated(error)) call write_drawing(view_drawing(bodies, deck%heading, &
+                deck%unit), 'view3d', folder, error)
+        end if
+        do i = 1, size(computed)
+            if (allocated(error)) return
+            call plot_one(deck, computed(i), i, folder, error)
+        end do
+    end subroutine plot_bodies
+
+    !> Writes the pictures of one body: combs, area curve, cuts.
+    !>
+    !> Fails with `cause%file_trouble`.
+    subroutine plot_one(deck, computed, number, folder, error)
+        type(deck_type), intent(inout) :: deck              !! the deck
+        type(computed_body_type), intent(in) :: computed    !! a body with its cuts
+        integer, intent(in) :: number                       !! of the body
+        type(folder_type), intent(inout) :: folder          !! gets the pictures
+        type(error_type), allocatable, intent(out) :: error !! see above
+        character(:), allocatable :: heading, mark
+
+        heading = deck%heading
+        mark = ''
+        if (size(deck%job%body) > 1) then
+            heading = heading//', '//trim(computed%body%name)
+            mark = '-'//to_text(number)
+        end if
+        if (size(computed%body%sections) == 0) return
+        call write_drawing(combs_drawing(computed%body, heading, deck%unit), 'combs'//mark, &
+            folder, error)
+        if (.not. allocated(error)) call write_drawing(area_drawing(computed%body, &
+            computed%measure, stations_of(computed%cuts), heading, deck%unit), 'area'//mark, &
+            folder, error)
+        if (.not. allocated(error)) call plot_cuts(deck, computed, number, heading, folder, error)
+    end subroutine plot_one
+
+    !> Writes the pictures of the cuts of a body. Their shapes are cut again, as closely as the eye
+    !> can tell.
+    !>
+    !> Fails with `cause%file_trouble`.
+    subroutine plot_cuts(deck, computed, number, heading, folder, error)
+        type(deck_type), intent(inout) :: deck              !! counts the cuts
+        type(computed_body_type), intent(in) :: computed    !! a body with its cuts
+        integer, intent(in) :: number                       !! of the body
+        character(*), intent(in) :: heading                 !! of the pictures
+        type(folder_type), intent(inout) :: folder          !! gets the pictures
+        type(error_type), allocatable, intent(out) :: error !! see above
+        type(request_type), allocatable :: requests(:)
+        type(fault_list_type) :: known
+        type(cut_type) :: shape
+        integer :: i, k, made
+
+        made = 0
+        associate (asked => deck%job%body(number)%cut, cuts => computed%cuts)
+            do i = 1, size(asked)
+                call requests_of(asked(i), requests, known)
+                do k = 1, size(requests)
+                    if (made == size(cuts)) return
+                    if (.not. is_same(requests(k)%plane, cuts(made + 1)%plane)) cycle
+                    made = made + 1
+                    shape = shape_of(computed%body, requests(k), cuts(made))
+                    deck%cuts = deck%cuts + 1
+                    call write_drawing(cut_drawing(cuts(made), shape, deck%cuts, &
+                        computed%body%is_symmetric, heading, deck%unit), &
+                        cut_name(deck%cuts, cuts(made)), folder, error)
+                    if (allocated(error)) return
+                end do
+            end do
+        end associate
+    end subroutine plot_cuts
+
+    !> A cut with points as close as the eye can tell; the cut itself where that can't be.
+    pure type(cut_type) function shape_of(body, request, cut) result(shape)
+        type(body_type), intent(in) :: body         !! finished
+        type(request_type), intent(in) :: request   !! what was asked
+        type(cut_type), intent(in) :: cut           !! what came out
+        type(error_type), allocatable :: error
+        type(cut_type) :: none(0)
+        real(dp) :: low(3), high(3)
+
+        call find_corners([body], none, low, high)
+        call make_cut(body, closely(request, maxval(high - low)), shape, error)
+        if (allocated(error)) shape = cut
+    end function shape_of
+
+    !> True where two planes are one.
+    pure logical function is_same(first, second)
+        type(plane_type), intent(in) :: first   !! a plane
+        type(plane_type), intent(in) :: second  !! another
+        is_same = first%kind == second%kind .and. &
+            all(abs(first%through - second%through) <= 0.0_dp) .and. &
+            all(abs(first%normal - second%normal) <= 0.0_dp)
+    end function is_same
+
+    !> The stations among some cuts, deck units.
+    pure function stations_of(cuts) result(stations)
+        type(cut_type), intent(in) :: cuts(:) !! of a body
+        real(dp), allocatable :: stations(:)
+        integer :: i
+        stations = pack([(cuts(i)%plane%through(1), i = 1, size(cuts))], &
+            cuts%plane%kind == cut_kind%station)
+    end function stations_of
+
+    !> The name of the files of a cut: `cut-01-station-20`, `cut-12-oblique-firewall`.
+    pure function cut_name(number, cut) result(name)
+        integer, intent(in) :: number       !! of the cut in its deck
+        type(cut_type), intent(in) :: cut   !! the cut
+        character(:), allocatable :: name
+        integer :: axis
+
+        name = to_text(number)
+        name = 'cut-'//row_of('0', 2 - len(name))//name//'-'//kind_word(cut%plane%kind)
+        axis = cut%plane%kind
+        if (axis <= cut_kind%waterline) &
+            name = name//'-'//safe_word(mark_of(cut%plane%through(axis)))
+        if (safe_word(cut%name) /= '') name = name//'-'//safe_word(cut%name)
+    end function cut_name
+
+    !> A text as a word of small letters, figures, points and hyphens; `minus-` for a minus sign.
+    pure function safe_word(text) result(word)
+        character(*), intent(in) :: text !! any bytes
+        character(:), allocatable :: word
+        integer :: i
+
+        word = ''
+        do i = 1, len_trim(text)
+            select case (text(i:i))
+            case ('a':'z', '0':'9', '.')
+                word = word//text(i:i)
+            case ('A':'Z')
+                word = word//achar(iachar(text(i:i)) + 32)
+            case ('-')
+                if (word == '') word = word//'minus'
+                word = word//'-'
+            case default
+                word = word//'-'
+            end select
+        end do
+    end function safe_word
+
+    !> Writes data and script of a drawing, where there is something on it.
+    !>
+    !> Fails with `cause%file_trouble`.
+    subroutine write_drawing(drawing, name, folder, error)
+        type(drawing_type), intent(in) :: drawing           !! what is drawn
+        character(*), intent(in) :: name                    !! of its files
+        type(folder_type), intent(inout) :: folder          !! gets it
+        type(error_type), allocatable, intent(out) :: error !! see above
+        type(result_file_type) :: data_file, script_file
+        type(output_type) :: data, script
+        type(drawing_type) :: named
+
+        if (drawing%layers == 0) return
+        named = drawing
+        named%name = name
+        call data_file%begin(folder%path//'/'//name//'.dat', data, error)
+        if (allocated(error)) return
+        call print_drawing_data(named, data)
+        call data_file%complete(data, error)
+        if (allocated(error)) return
+        call script_file%begin(folder%path//'/'//name//'.gp', script, error)
+        if (allocated(error)) return
+        call print_drawing_script(named, folder%format, script)
+        call script_file%complete(script, error)
+        if (.not. allocated(error)) call add_picture(folder, name)
+    end subroutine write_drawing
+
+end module app_plot_body
