@@ -79,6 +79,7 @@ contains
             end associate
         end do
         if (size(ordinates) >= few .or. .not. high > low) return
+        allocate (more(0))
         more = round_steps(low, high, round_ones(kind))
         least = too_near*round_step(high - low, round_ones(kind))
         do i = 1, size(more)

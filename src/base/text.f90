@@ -17,7 +17,7 @@ contains
     !> The same text with a-z made A-Z; other bytes stay.
     pure function upper(text) result(raised)
         character(*), intent(in) :: text !! any text
-        character(len(text)) :: raised
+        character(:), allocatable :: raised
         integer :: i, letter
         raised = text
         do i = 1, len(text)

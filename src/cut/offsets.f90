@@ -61,7 +61,7 @@ contains
         integer :: i, k, n
 
         table%axis = axis
-        table%stations = stations
+        allocate (table%stations, source=stations)
         allocate (table%rows(0))
         do i = 1, size(ordinates)
             do k = 1, size(body%sections)
@@ -118,7 +118,7 @@ contains
         real(dp) :: from, to
         integer :: i
 
-        allocate (places(0))
+        allocate (places(0), ends(0))
         ends = [at_start, turning_places(arc, axis), at_finish]
         do i = 2, size(ends)
             from = coordinate(arc, axis, ends(i - 1))

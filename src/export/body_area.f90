@@ -150,6 +150,7 @@ contains
         integer :: i
 
         allocate (curve%at(2, 0))
+        allocate (stops(0))
         stops = stops_of(body)
         do i = 2, size(stops)
             call end_value(body, curve%is_area, stops(i - 1), stops(i), ends(:, 1), has_both(1))

@@ -125,6 +125,7 @@ contains
         do i = 1, size(panel%line)
             call drawing%draw('line', shifted(panel%line(i)%at, shift))
         end do
+        allocate (joints(0))
         joints = chain_joints(panel%chain)
         do i = 1, size(joints)
             call drawing%draw('joint', shifted(reshape([joints(i), &
@@ -174,6 +175,7 @@ contains
         real(dp) :: x
         integer :: i, k
 
+        allocate (sta(0))
         sta = round_steps(range(1), range(2), stations)
         do i = 1, size(sta)
             do k = 1, 2

@@ -84,7 +84,7 @@ contains
         end do
         columns = max(2, ceiling(turn/largest_turn)) + 1
         allocate (grid%at(3, columns, size(sta)))
-        grid%is_there = has_arc
+        allocate (grid%is_there, source=has_arc)
         do i = 1, size(sta)
             grid%at(1, :, i) = sta(i)
             if (has_arc(i)) then

@@ -12,7 +12,7 @@ module report_cut_listing
     use base_exact, only: is_zero
     use base_kinds, only: dp
     use base_output, only: output_type
-    use base_text, only: compact, right, to_text
+    use base_text, only: columns, compact, right, to_text
     use cut_outline, only: cut_point_type, cut_type, note_type, outline_type
     use cut_plane, only: cut_kind, plane_type
     use report_digits, only: fixed, scientific
@@ -109,14 +109,14 @@ contains
         character(*), intent(in) :: sections(:)         !! names of the body's sections
         type(ordinate_form_type), intent(in) :: form    !! of ordinates
         type(output_type), intent(inout) :: out         !! where it goes
-        character(widest_page), allocatable :: head(:)
-        integer :: i, section, ordinates
-        logical :: is_long
+        character(widest_page) :: lines(2)
+        integer :: i, section, ordinates, count
 
-        is_long = takes_two(page, is_oblique(cut), form)
         ordinates = merge(5, 3, is_oblique(cut))*columns_of(is_oblique(cut), form)
-        head = on_lines(head_row(is_oblique(cut), form), ordinates, is_long)
-        call page%set_columns(out, head)
+        count = merge(2, 1, takes_two(page, is_oblique(cut), form))
+        lines = head_row(is_oblique(cut), form)
+        if (count == 1) lines(1) = columns(lines(1), 1, ordinates)//lines(2)
+        call page%set_columns(out, lines(:count))
         section = 0
         do i = 1, size(outline%points)
             associate (point => outline%points(i))
@@ -124,27 +124,13 @@ contains
                     call page%line(out, 'SECTION '//trim(sections(point%section)))
                     section = point%section
                 end if
-                call print_lines(page, on_lines(row(point, is_oblique(cut), form), ordinates, &
-                    is_long), out)
+                lines = row(point, is_oblique(cut), form)
+                if (count == 1) lines(1) = columns(lines(1), 1, ordinates)//lines(2)
+                call print_lines(page, lines(:count), out)
             end associate
         end do
         call page%end_columns()
     end subroutine print_points
-
-    !> The two parts of a row on one line, or on two where it is too long.
-    pure function on_lines(parts, ordinates, is_long) result(lines)
-        character(*), intent(in) :: parts(2)    !! ordinates, and what follows them
-        integer, intent(in) :: ordinates        !! columns of the first part
-        logical, intent(in) :: is_long          !! two lines
-        character(widest_page), allocatable :: lines(:)
-        allocate (lines(merge(2, 1, is_long)))
-        lines(1) = parts(1)
-        if (is_long) then
-            lines(2) = parts(2)
-        else
-            lines(1)(ordinates + 1:) = parts(2)
-        end if
-    end function on_lines
 
     !> Prints lines that stay together.
     subroutine print_lines(page, lines, out)
@@ -205,11 +191,12 @@ contains
         logical, intent(in) :: has_true_shape           !! u and v stand in front
         type(ordinate_form_type), intent(in) :: form    !! of ordinates
         character(len=widest_page) :: text(2)
-        character(:), allocatable :: ordinates
+        character(:), allocatable :: ordinates, bevel
         integer :: width, i
 
         width = columns_of(has_true_shape, form)
         ordinates = ''
+        bevel = ''
         if (has_true_shape) then
             ordinates = ordinate_text(form, point%uv(1), width)// &
                 ordinate_text(form, point%uv(2), width)
@@ -218,10 +205,8 @@ contains
             ordinates = ordinates//ordinate_text(form, point%at(i), width)
         end do
         text(1) = ordinates
-        text(2) = slope_figure(point, width)//radius_figure(point, form, width + 1)
-        if (point%has_normal) then
-            text(2) = text(2)(:2*width + 1)//fixed(point%bevel, bevel_width, bevel_decimals)
-        end if
+        if (point%has_normal) bevel = fixed(point%bevel, bevel_width, bevel_decimals)
+        text(2) = slope_figure(point, width)//radius_figure(point, form, width + 1)//bevel
     end function row
 
     !> Columns of an ordinate.

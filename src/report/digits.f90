@@ -21,7 +21,7 @@ contains
         real(dp), intent(in) :: value   !! a finite number
         integer, intent(in) :: width    !! columns, at least 9
         integer, intent(in) :: decimals !! figures behind the point, 0 to 12
-        character(width) :: text
+        character(:), allocatable :: text
         character(24) :: field
         integer(i64) :: rest
         integer :: first, place
@@ -38,9 +38,8 @@ contains
             place = place + 1
         end do
         if (is_negative) call put_before('-', field, first)
-        text = ''
         if (len(field) - first < width) then
-            text(width - len(field) + first:) = field(first:)
+            text = right(field(first:), width)
         else
             text = scientific(value, width, max(1, width - 8))
         end if
@@ -86,7 +85,7 @@ contains
         real(dp), intent(in) :: value   !! a finite number
         integer, intent(in) :: width    !! columns, at least figures + 7
         integer, intent(in) :: figures  !! figures in all
-        character(width) :: text
+        character(:), allocatable :: text
         character(48) :: format, field
         integer :: power
 

@@ -33,6 +33,7 @@ contains
         real(dp) :: distance, worst
         integer :: i
 
+        allocate (figures(0))
         figures = read_figures('golden/book/tables.csv')
         figures = pack(figures, is_of_nose(figures))
         call tap%ok(size(figures) == 26, 'Table 4 has 26 figures')
