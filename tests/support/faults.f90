@@ -1,4 +1,5 @@
-!> Faults as short texts, for tests to compare: `error 7:25-40 points 1 and 2 coincide; ...`, one a line.
+!> Faults as short texts, for tests to compare: `error 7:25-40 points 1 and 2 coincide; ...`, one a
+!> line.
 module support_faults
     use base_fault, only: fault_list_type, fault_type, severity
     use base_text, only: to_text
