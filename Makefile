@@ -39,7 +39,7 @@ PLOTS  := $(BUILD)/plots
 MAKEFLAGS += --no-print-directory
 
 .DELETE_ON_ERROR:
-.PHONY: all debug programs objects deps demo check test lint golden book plot bench graph install clean help
+.PHONY: all debug programs objects deps demo check test lint golden book plot pictures bench graph install clean help
 
 all: $(LOFT)                        ## builds build/loft (DEBUG=1: build/debug/loft)
 	@:
@@ -94,7 +94,14 @@ book: $(BOOK)                       ## shows the printed figures of SAE 700202 b
 plot: $(LOFT)                       ## draws the pictures of DECK
 	@$(LOFT) plot $(DECK) -o $(PLOTS) --format svg
 	@$(LOFT) plot $(DECK) -o $(PLOTS) --format png
-	@echo "Pictures of $(DECK):" && ls $(PLOTS)/*.svg $(PLOTS)/*.png
+
+pictures: $(LOFT)                   ## draws the pictures of the README (doc/*.svg, *.png)
+	@$(LOFT) plot cards/sae700202.crd -o $(PLOTS)
+	@$(LOFT) plot cards/fuselage.crd -o $(BUILD)/fuselage
+	@for p in side sections; do cp $(PLOTS)/$$p.svg doc/nose-$$p.svg; done
+	@$(LOFT) plot cards/fuselage.crd -o $(BUILD)/fuselage --format png
+	@cp $(BUILD)/fuselage/lines.svg doc/fuselage-lines.svg
+	@cp $(BUILD)/fuselage/view3d.png doc/fuselage-view3d.png
 
 bench: $(BENCHES)                   ## times the programs of tests/bench
 	$(if $(BENCHES),,$(error there is no program in tests/bench))
