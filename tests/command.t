@@ -84,7 +84,11 @@ refused 'takes one topic' help run check
 refused 'stands alone' --version now
 refused 'would replace the deck' run -o $deck $deck
 refused 'no option' check --asa $deck
-[ -s $deck ]
+refused 'would replace the deck' run -o cards/../$deck $deck
+cp $deck "$work/deck" && ln -s deck "$work/link"
+refused 'would replace the deck' run -o "$work/link" "$work/deck"
+refused 'would replace the deck' run -o "$work/deck" "$work/link"
+cmp -s $deck "$work/deck"
 ok $? 'the deck that -o named is still there'
 
 loft run --arithmetic s360 $deck

@@ -204,10 +204,6 @@ contains
                 'program printed pages only')
         else if (options%asa .and. options%arithmetic /= 's360') then
             call fail(error, cause%usage, '--asa goes with --arithmetic s360')
-        else if (size(options%operand) == 1 .and. options%output /= '') then
-            if (options%operand(1)%text == options%output .and. options%output /= '-') then
-                call fail(error, cause%usage, '-o '//options%output//' would replace the deck')
-            end if
         end if
     end subroutine check_options
 

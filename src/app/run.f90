@@ -6,9 +6,10 @@ module app_run
     use app_run_body, only: run_body_deck
     use app_run_conics, only: run_conics
     use app_status, only: status
-    use base_error, only: error_type
+    use base_error, only: cause, error_type, fail
     use base_fault, only: fault_list_type
     use base_output, only: output_type
+    use base_posix, only: real_path
     use deck_kind, only: deck_kind_of
     use report_fault, only: print_faults
     implicit none (type, external)
@@ -20,7 +21,8 @@ contains
 
     !> Runs a deck. The exit status is `status%done`, or `status%faulty` where a card was in error.
     !>
-    !> Fails with `cause%file_trouble` where the deck can't be read or the result not be written.
+    !> Fails with `cause%file_trouble` where the deck can't be read or the result not be written,
+    !> and with `cause%usage` where the result would take the place of the deck.
     subroutine run_deck(options, exit_status, messages, error)
         type(options_type), intent(in) :: options           !! deck, mode, format, result
         integer, intent(out) :: exit_status                 !! one of `status%...`
@@ -37,6 +39,7 @@ contains
         if (size(options%operand) > 0) name = options%operand(1)%text
         exit_status = status%unusable
         call open_input(name, input, faults, error)
+        if (.not. allocated(error)) call spare_deck(name, options%output, error)
         if (.not. allocated(error)) call result_file%begin(options%output, out, error)
         if (.not. allocated(error)) then
             call print_faults(faults, name, .false., messages)
@@ -55,5 +58,17 @@ contains
         end if
         if (.not. allocated(error)) exit_status = status_of_run
     end subroutine run_deck
+
+    !> Refuses a result that would take the place of its deck, whatever names the two have.
+    subroutine spare_deck(deck, output, error)
+        character(*), intent(in) :: deck                    !! as the user gave it; it is there
+        character(*), intent(in) :: output                  !! as the user gave it; may be empty
+        type(error_type), allocatable, intent(out) :: error !! `cause%usage`
+
+        if (deck == '-' .or. output == '' .or. output == '-') return
+        if (real_path(output) == real_path(deck)) then
+            call fail(error, cause%usage, '-o '//output//' would replace the deck')
+        end if
+    end subroutine spare_deck
 
 end module app_run

@@ -2,7 +2,7 @@
 module app_share
     use, intrinsic :: iso_c_binding, only: c_char, c_size_t
     use base_error, only: cause, error_type, fail
-    use base_posix, only: c_readlink, c_text
+    use base_posix, only: c_readlink, c_text, longest_path
     implicit none (type, external)
     private
 
@@ -12,9 +12,6 @@ module app_share
     type :: folder_type
         character(:), allocatable :: path !! without a `/` at its end
     end type folder_type
-
-    !> Bytes of the longest path of a program.
-    integer, parameter :: longest_path = 4096
 
 contains
 

@@ -6,7 +6,7 @@
 module app_signals
     use, intrinsic :: iso_c_binding, only: c_char, c_funloc, c_funptr, c_int, c_intptr_t, &
         c_null_char, c_null_funptr
-    use base_posix, only: c_raise, c_signal, c_text, c_unlink
+    use base_posix, only: c_raise, c_signal, c_text, c_unlink, longest_path
     implicit none (type, external)
     private
 
@@ -16,9 +16,6 @@ module app_signals
     integer(c_int), parameter :: caught(4) = [1_c_int, 2_c_int, 13_c_int, 15_c_int]
     !> What stands in the place of a handler where a signal is ignored, as by `nohup`: it stays so.
     integer(c_intptr_t), parameter :: ignored_signal = 1_c_intptr_t
-    !> Bytes of the longest path guarded.
-    integer, parameter :: longest_path = 4096
-
     !> The path of the unfinished file, or a null byte.
     character(kind=c_char), volatile :: unfinished(longest_path) = c_null_char
 

@@ -10,7 +10,7 @@ module base_posix
 
     public :: c_fopen, c_fileno, c_fclose, c_read, c_write, c_creat, c_close, c_rename, c_unlink
     public :: c_truncate, c_readlink, c_mkdir, c_getpid, c_isatty, c_signal, c_raise
-    public :: c_text, last_error
+    public :: c_text, last_error, real_path
 
     !> Descriptor of standard input.
     integer(c_int), parameter, public :: standard_input = 0
@@ -18,6 +18,8 @@ module base_posix
     integer(c_int), parameter, public :: standard_output = 1
     !> Descriptor of standard error.
     integer(c_int), parameter, public :: standard_error = 2
+    !> Bytes of the longest path, its null included.
+    integer, parameter, public :: longest_path = 4096
 
     interface
         !> Opens a file; a null pointer says that it can't be.
@@ -96,6 +98,13 @@ module base_posix
             integer(c_size_t), value :: count                  !! room there
         end function c_readlink
 
+        !> The path of a file from the root, without links; a null pointer where there is no file.
+        type(c_ptr) function c_realpath(path, resolved) bind(c, name='realpath')
+            import :: c_char, c_ptr
+            character(kind=c_char), intent(in) :: path(*)        !! ends with a null
+            character(kind=c_char), intent(inout) :: resolved(*) !! room for `longest_path`
+        end function c_realpath
+
         !> Makes a folder; -1 where it can't be made or is there.
         integer(c_int) function c_mkdir(path, mode) bind(c, name='mkdir')
             import :: c_char, c_int
@@ -153,16 +162,36 @@ contains
         character(:), allocatable :: words
         character(kind=c_char), pointer :: letter(:)
         type(c_ptr) :: text
-        integer :: i
 
         words = ''
         text = c_strerror(error_number())
         if (.not. c_associated(text)) return
         call c_f_pointer(text, letter, [256])
+        words = before_null(letter)
+    end function last_error
+
+    !> The path of a file from the root, without links, `.` and `..`: two names of one file have the
+    !> same. Nothing where there is no such file.
+    function real_path(name) result(path)
+        character(*), intent(in) :: name !! any path
+        character(:), allocatable :: path
+        character(kind=c_char) :: letter(longest_path)
+
+        path = ''
+        if (c_associated(c_realpath(c_text(name), letter))) path = before_null(letter)
+    end function real_path
+
+    !> A text of C as Fortran has it.
+    pure function before_null(letter) result(text)
+        character(kind=c_char), intent(in) :: letter(:) !! the text, a null behind it
+        character(:), allocatable :: text
+        integer :: i
+
+        text = ''
         do i = 1, size(letter)
             if (letter(i) == c_null_char) exit
-            words = words//letter(i)
+            text = text//letter(i)
         end do
-    end function last_error
+    end function before_null
 
 end module base_posix

@@ -178,7 +178,6 @@ contains
             '--format csv goes with --arithmetic ieee; the 1970 '// &
             'program printed pages only', 'CSV of the 1970 program')
         call refused('run|--asa', '--asa goes with --arithmetic s360', 'carriage control of IEEE')
-        call refused('run|a|-o|a', '-o a would replace the deck', 'a result in place of the deck')
         call tap%same(command('run|-|-o|-'), 'run', 'standard input and output are two')
     end subroutine check_combinations
 
