@@ -28,6 +28,7 @@ module base_decimal
     contains
         procedure :: ordinate
         procedure :: steps_to
+        procedure :: step_length
     end type grid_type
 
     !> Powers of ten that a double holds exactly.
@@ -94,6 +95,12 @@ contains
         real(dp), intent(in) :: x            !! an ordinate, deck units
         steps_to = (x - grid%ordinate(0_i64))/scaled_real(grid%step, grid%power)
     end function steps_to
+
+    !> The length of a step, however small beside the start.
+    elemental real(dp) function step_length(grid)
+        class(grid_type), intent(in) :: grid !! the stepped ordinates
+        step_length = abs(scaled_real(grid%step, grid%power))
+    end function step_length
 
     !> The double nearest to `digits * 10**power`: one exact quotient or product where both fit a
     !> double exactly, else the runtime's correctly rounded read.

@@ -145,7 +145,7 @@ contains
             span = span + abs(to - from)
             from = to
         end do
-        if (sum(stretches%count) + 2 > largest_table) call refuse(span, step_of(grid), error)
+        if (sum(stretches%count) + 2 > largest_table) call refuse(span, grid%step_length(), error)
     contains
         !> True for the last point of the arc.
         pure logical function at_end(place)
@@ -228,7 +228,7 @@ contains
         start = grid%ordinate(0_i64)
         step = step_of(grid)
         if (abs(to - from) > largest_table*step) then
-            call refuse(abs(to - from), step, error)
+            call refuse(abs(to - from), grid%step_length(), error)
         else if (max(abs(from - start), abs(to - start)) > furthest_step*step) then
             call fail(error, cause%increment, 'the arc is more than '//compact(furthest_step)// &
                 ' steps away from the first ordinate; start the steps nearer to it')

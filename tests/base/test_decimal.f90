@@ -72,6 +72,9 @@ contains
         call tap%near(grid%steps_to(50.0_dp), 16.0_dp, 0.0_dp, 'it is 16 steps to 50')
         call tap%near(grid%steps_to(-31.0_dp), -0.2_dp, 1.0e-15_dp, &
             'and a fifth of one back to -31')
+        call new_grid(decimal_type(-30_i64, 0), decimal_type(-1_i64, -12), grid, error)
+        call tap%near(grid%step_length(), 1.0e-12_dp, 0.0_dp, &
+            'a step keeps its length beside a large start')
         call new_grid(decimal_type(18_i64, 0), decimal_type(-3638_i64, -3), grid, error)
         call tap%near(grid%ordinate(2_i64), 10.724_dp, 0.0_dp, &
             'start and step may differ in decimals')

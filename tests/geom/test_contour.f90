@@ -111,6 +111,10 @@ program test_contour
     arc = line_between([0.0_dp, 0.0_dp], [1.0e250_dp, 1.0_dp])
     call step(1, 0_i64, 1_i64)
     call expect_error(cause%too_many, 'more rows than can be counted', 'or uncountably many')
+    arc = line_between([-30.0_dp, 0.0_dp], [50.0_dp, 1.0_dp])
+    call step(1, -300_i64, 1_i64, -8)
+    call expect_error(cause%too_many, 'an increment of 1.E-08 over 80. makes 8000000001 rows', &
+        'a step small beside the first ordinate is told and counted as it is')
     arc = line_between([1.0e9_dp, 0.0_dp], [1.0e9_dp + 10.0_dp, 1.0_dp])
     call step(1, 0_i64, 1_i64)
     call expect_error(cause%increment, 'start the steps nearer', &
@@ -127,12 +131,16 @@ contains
         if (allocated(error)) call tap%ok(.false., error%message)
     end function card
 
-    !> The rows of the current arc, start and step in tenths.
-    subroutine step(axis, start, increment)
+    !> The rows of the current arc, start in tenths, step too unless its power of ten is given.
+    subroutine step(axis, start, increment, power)
         integer, intent(in) :: axis
         integer(i64), intent(in) :: start, increment
+        integer, intent(in), optional :: power
         type(grid_type) :: grid
-        call new_grid(decimal_type(start, -1), decimal_type(increment, -1), grid, error)
+        integer :: of_step
+        of_step = -1
+        if (present(power)) of_step = power
+        call new_grid(decimal_type(start, -1), decimal_type(increment, of_step), grid, error)
         call contour_of(arc, axis, grid, rows, error)
     end subroutine step
 
