@@ -102,6 +102,19 @@ awk '/: (error|warning): / { split($0, part, ":"); split(part[3], at, "-"); getl
 [ ! -s "$work/wrong" ]
 ok $? 'the carets stand under the columns that are named' "$(cat "$work/wrong")"
 
+# --- what stopped the program of 1970 has its columns too
+stopped() {
+    printf '%s\n' "$2" > "$work/bad.crd"
+    loft run --arithmetic s360 "$work/bad.crd"
+    [ "$status" = 1 ] && grep -q "/bad.crd:1:$1: error: $3" "$work/err"
+    ok $? "the program of 1970 is stopped by columns $1: $3" "status $status
+$(cat "$work/err")"
+}
+stopped 1-64  '0.      0.      1.      1.      1.      2.      2.      1.      .5' 'this array has no unique'
+stopped 65-70 "$(echo "$nose" | sed 's/5\.$/      1.    1/')" 'XI is zero: punch an increment'
+stopped 65-76 "$(echo "$nose" | sed 's/5\.$/.00001/')" 'the X table would have 8000000 rows'
+stopped 1-76  "$(echo "$nose" | sed 's/^-30.   /-1.+0076/')" 'exponent overflow in the field X1'
+
 # --- the contract of the CSV
 csv() {
     printf '%s\n' "$1" > "$work/card.crd"

@@ -13,7 +13,7 @@ module app_run_conics
     use body_card_tables, only: card_table_type, tables_of_card
     use deck_conic_card, only: conic_card_type
     use deck_conic_deck, only: conic_deck_type, found
-    use deck_layout, only: conic
+    use deck_layout, only: conic, conic_fields
     use geom_arc, only: arc_type
     use period_card, only: period_card_type
     use period_printer, only: printer_type
@@ -128,7 +128,7 @@ contains
         type(fault_list_type), intent(inout) :: faults  !! what is wrong is added
         type(error_type), allocatable :: error
         type(printer_type) :: printer
-        integer :: before
+        integer :: before, first, last
 
         before = faults%count
         printer = printer_type(asa=options%asa)
@@ -138,9 +138,29 @@ contains
         case (cause%singular, cause%increment)
             if (faults%has_errors(0)) return
         end select
-        call faults%add(new_fault(severity%error, 0, 0, error%message))
+        call blame_fields(error%cause, first, last)
+        call faults%add(new_fault(severity%error, conic_fields(first)%first, &
+            conic_fields(last)%last, error%message))
         call faults%place(before, card%line, card%image)
     end subroutine run_period
+
+    !> The fields that stopped the program. A zero increment is that of X: a zero YI is a fault of
+    !> the card already.
+    pure subroutine blame_fields(reason, first, last)
+        integer, intent(in) :: reason !! one of `cause%...`
+        integer, intent(out) :: first !! field where they begin
+        integer, intent(out) :: last  !! field where they end
+
+        first = merge(conic%xi, conic%x1, reason == cause%increment .or. reason == cause%too_many)
+        select case (reason)
+        case (cause%singular)
+            last = conic%s3
+        case (cause%increment)
+            last = conic%xi
+        case default
+            last = conic%yi
+        end select
+    end subroutine blame_fields
 
     !> A card as the 1970 program takes it.
     pure type(period_card_type) function period_card(card)

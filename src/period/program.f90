@@ -216,7 +216,7 @@ contains
 
         if (is_zero(table%step)) then
             call printer%print('       INVALID INCREMENT OF X OR Y', out)
-            call fail(error, cause%increment, table%axis//'I is zero: a table can''t be stepped')
+            call fail(error, cause%increment, table%axis//'I is zero: punch an increment')
         else
             call print_table(table, printer, out, error)
         end if
