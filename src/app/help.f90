@@ -77,7 +77,9 @@ contains
             '  --asa                with s360: keep the carriage control column; without', &
             '                       it a new page is a form feed', &
             '  --format listing     printer-style pages (the default)', &
-            '  --format csv         header card,axis,x,y,slope,curvature; full precision', &
+            '  --format csv         full precision; header card,axis,x,y,slope,curvature,', &
+            '                       of a body deck cut,kind,section,sta,bl,wl,slope,', &
+            '                       curvature,bevel', &
             '  -o FILE              write FILE, complete or not at all', '', &
             'Diagnostics go to standard error with file, line, columns and card.'], out)
     end subroutine print_run
@@ -101,6 +103,8 @@ contains
             'Draws the conics of a deck with their three points and end tangents.', &
             'The comment right before a card names it. A name with the word SIDE, PLAN,', &
             'or STA, STATION or SECTION puts it in that picture; other cards share one.', '', &
+            'Of a body deck it draws the lines plan, curvature combs, the area curve, each', &
+            'cut in true shape, and a view in space.', '', &
             '  -o DIR          folder for pictures, data and gnuplot scripts; made where', &
             '                  there is none. Default: the name of the deck and -plots', &
             '  --format F      svg (the default), pdf, png, or txt for a terminal', '', &
