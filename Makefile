@@ -11,7 +11,7 @@ LIBS  := -llapack -lblas
 # Three builds of the same sources: as used, as distrusted (make DEBUG=1), as read by lint.
 MODE := $(if $(DEBUG),debug,release)
 FLAGS.release := -O2 -g -ffp-contract=off
-FLAGS.debug   := -O0 -g -fcheck=all -ffpe-trap=invalid,zero,overflow -fbacktrace
+FLAGS.debug   := -O0 -g -fcheck=all,no-array-temps -ffpe-trap=invalid,zero,overflow -fbacktrace
 FLAGS.lint    := -O0 -Wall -Wextra -pedantic -Wimplicit-interface -Wconversion-extra -Werror
 FFLAGS        := -std=f2018 $(FLAGS.$(MODE))
 
