@@ -27,24 +27,16 @@ program test_clearance_listing
     clearances(2)%note = 'a remark'
     call page%set_heading('TITLE', 'deck.crd', 'INCHES')
     call print_clearances(page, clearances, new_form('INCHES', 'INCHES', 3), out)
-    call has('WHEEL          1.000     0.412     31.250     12.500    -18.750  TOO SMALL', &
+    call tap%has(out%text(), &
+        'WHEEL          1.000     0.412     31.250     12.500    -18.750  TOO SMALL', &
         'asked, found, nearest point, and that it is too small')
-    call has('HEAD           1.000     2.000     31.250     12.500    -18.750'//new_line('a'), &
+    call tap%has(out%text(), &
+        'HEAD           1.000     2.000     31.250     12.500    -18.750'//new_line('a'), &
         'one that is large enough is left alone')
-    call has('  a remark', 'a remark stands below its row')
+    call tap%has(out%text(), '  a remark', 'a remark stands below its row')
     allocate (none(0))
     call print_clearances(blank_page, none, new_form('INCHES', 'INCHES', 3), nothing)
     call tap%same(nothing%text(), '', 'without components there is no table')
     call tap%finish()
-
-contains
-
-    !> The page has this text on it.
-    subroutine has(part, name)
-        character(*), intent(in) :: part !! what must stand there
-        character(*), intent(in) :: name !! the check
-        call tap%ok(index(out%text(), part) > 0, name)
-        if (index(out%text(), part) == 0) call tap%note(out%text())
-    end subroutine has
 
 end program test_clearance_listing

@@ -29,20 +29,22 @@ program test_measure_listing
     measure%wetted_error = 2.5e-9_dp
     measure%why = 'it is open'
     text = listing('INCHES')
-    call has('      0.000      1.000           -', 'a section without area has a dash')
-    call has('      5.000      2.000       3.000      -4.000          5.000          6.000', &
+    call tap%has(text, '      0.000      1.000           -', 'a section without area has a dash')
+    call tap%has(text, &
+        '      5.000      2.000       3.000      -4.000          5.000          6.000', &
         'one with area has area, centroid and moments')
-    call has('WITHOUT AREA: AT STA 0.000 the section is open', 'the reason stands below')
-    call has('WETTED AREA           100.000000   ERROR BELOW 2.5E-09', &
+    call tap%has(text, 'WITHOUT AREA: AT STA 0.000 the section is open', 'the reason stands below')
+    call tap%has(text, 'WETTED AREA           100.000000   ERROR BELOW 2.5E-09', &
         'the wetted area has the estimate of its error')
-    call has('NO VOLUME: it is open', 'a body that does not close says so')
+    call tap%has(text, 'NO VOLUME: it is open', 'a body that does not close says so')
     measure%has_volume = .true.
     measure%volume = 1.0_dp
     text = listing('INCHES')
-    call has('VOLUME                  1.000000', 'one that closes has a volume')
+    call tap%has(text, 'VOLUME                  1.000000', 'one that closes has a volume')
     text = listing('MM')
-    call has('VOLUME              16387.064000', 'in cubic millimetres, 25.4**3 to a cubic inch')
-    call has('50.800', 'girths follow the unit: 2 in are 50.8 mm')
+    call tap%has(text, &
+        'VOLUME              16387.064000', 'in cubic millimetres, 25.4**3 to a cubic inch')
+    call tap%has(text, '50.800', 'girths follow the unit: 2 in are 50.8 mm')
     call tap%finish()
 
 contains
@@ -57,13 +59,5 @@ contains
         call print_measures(page, measure, new_form('INCHES', output, 3), out)
         text = out%text()
     end function listing
-
-    !> The listing has this text in it.
-    subroutine has(part, name)
-        character(*), intent(in) :: part !! what must stand there
-        character(*), intent(in) :: name !! the check
-        call tap%ok(index(text, part) > 0, name)
-        if (index(text, part) == 0) call tap%note(text)
-    end subroutine has
 
 end program test_measure_listing

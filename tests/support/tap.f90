@@ -20,6 +20,7 @@ module support_tap
     contains
         procedure :: ok
         procedure :: same
+        procedure :: has
         procedure :: near
         procedure :: note
         procedure :: finish
@@ -51,6 +52,18 @@ contains
         call tap%note('     got: ['//actual//']')
         call tap%note('expected: ['//expected//']')
     end subroutine same
+
+    !> Counts a check that a text has another in it, and shows it where it has not.
+    subroutine has(tap, text, part, name)
+        class(tap_type), intent(inout) :: tap !! the tally
+        character(*), intent(in) :: text      !! where to look
+        character(*), intent(in) :: part      !! what must stand there
+        character(*), intent(in) :: name      !! the check as a phrase
+        call tap%ok(index(text, part) > 0, name)
+        if (index(text, part) > 0) return
+        call tap%note('looked for: ['//part//'] in')
+        call tap%note(text)
+    end subroutine has
 
     !> Counts a check that a number is within a tolerance of another; NaN never is.
     subroutine near(tap, actual, expected, tolerance, name)
