@@ -113,6 +113,16 @@ $(cat "$work/err")"
 stopped 1-64  '0.      0.      1.      1.      1.      2.      2.      1.      .5' 'this array has no unique'
 stopped 65-70 "$(echo "$nose" | sed 's/5\.$/      1.    1/')" 'XI is zero: punch an increment'
 stopped 65-76 "$(echo "$nose" | sed 's/5\.$/.00001/')" 'the X table would have 8000000 rows'
+cat > "$work/near-zero.crd" << 'END'
+100.    100.    0.      105.    101.    110.    110.    999.999 1.
+END
+"$LOFT" run --arithmetic s360 "$work/near-zero.crd" > "$work/page" 2> "$work/err"
+[ $? = 0 ] && [ ! -s "$work/err" ] && [ "$(grep -c '^ *-1.00000$' "$work/page")" = 3 ]
+ok $? 'no word where the three check values hold' "$(cat "$work/err")"
+loft run --arithmetic s360 --shift -100 "$work/near-zero.crd"
+[ "$status" = 0 ] && [ "$(wc -l < "$work/out")" = "$(wc -l < "$work/page")" ] &&
+    grep -q '/near-zero.crd:1:1-64: warning: the check values are not -1.00000' "$work/err"
+ok $? 'a shift that takes a point to zero spoils the checks, which is warned of' "$(cat "$work/err")"
 stopped 1-76  "$(echo "$nose" | sed 's/^-30.   /-1.+0076/')" 'exponent overflow in the field X1'
 
 # --- the contract of the CSV

@@ -120,7 +120,7 @@ contains
     end subroutine print_csv_tables
 
     !> Runs a card as the program of 1970. What it could not do it says on the page; what stopped
-    !> the machine, or would never have ended, is a fault.
+    !> the machine, or would never have ended, is a fault; check values that are off are warned of.
     subroutine run_period(options, card, out, faults)
         type(options_type), intent(in) :: options       !! shift and carriage control
         type(conic_card_type), intent(in) :: card       !! a readable card
@@ -128,7 +128,7 @@ contains
         type(fault_list_type), intent(inout) :: faults  !! what is wrong is added
         type(error_type), allocatable :: error
         type(printer_type) :: printer
-        integer :: before, first, last
+        integer :: before, grade, first, last
 
         before = faults%count
         printer = printer_type(asa=options%asa)
@@ -138,13 +138,14 @@ contains
         case (cause%singular, cause%increment)
             if (faults%has_errors(0)) return
         end select
+        grade = merge(severity%warning, severity%error, error%cause == cause%checks_off)
         call blame_fields(error%cause, first, last)
-        call faults%add(new_fault(severity%error, conic_fields(first)%first, &
-            conic_fields(last)%last, error%message))
+        call faults%add(new_fault(grade, conic_fields(first)%first, conic_fields(last)%last, &
+            error%message))
         call faults%place(before, card%line, card%image)
     end subroutine run_period
 
-    !> The fields that stopped the program. A zero increment is that of X: a zero YI is a fault of
+    !> The fields that made the trouble. A zero increment is that of X: a zero YI is a fault of
     !> the card already.
     pure subroutine blame_fields(reason, first, last)
         integer, intent(in) :: reason !! one of `cause%...`
@@ -153,7 +154,7 @@ contains
 
         first = merge(conic%xi, conic%x1, reason == cause%increment .or. reason == cause%too_many)
         select case (reason)
-        case (cause%singular)
+        case (cause%singular, cause%checks_off)
             last = conic%s3
         case (cause%increment)
             last = conic%xi

@@ -43,7 +43,8 @@ contains
     !>
     !> Fails with `cause%singular` and `cause%increment` where the page has the program's own
     !> message; with `cause%overflow`, `%underflow` or `%divide` where the machine would have
-    !> stopped the card; with `cause%too_many` where a table would be longer than `largest_table`.
+    !> stopped the card; with `cause%too_many` where a table would be longer than `largest_table`;
+    !> with `cause%checks_off`, all printed, where a check value is not the -1.00000 it must be.
     subroutine run_card(card, shift, printer, out, error)
         type(period_card_type), intent(in) :: card          !! the card, deck units
         type(decimal_type), intent(in) :: shift             !! added to every X and Y, deck units
@@ -51,6 +52,7 @@ contains
         type(output_type), intent(inout) :: out             !! where to
         type(error_type), allocatable, intent(out) :: error !! see above
         type(conic_type) :: conic
+        logical :: checks_hold
 
         call read_conic(card, shift, conic, error)
         if (allocated(error)) return
@@ -63,12 +65,16 @@ contains
             return
         end if
         call print_heading(conic, printer, out)
-        call print_checks(conic, printer, out, error)
+        call print_checks(conic, printer, out, checks_hold, error)
         if (allocated(error)) return
         call print_stepped(x_table(conic), printer, out, error)
-        if (allocated(error) .or. card%ityp == 0) return
-        call print_heading(conic, printer, out)
-        call print_stepped(y_table(conic), printer, out, error)
+        if (.not. allocated(error) .and. card%ityp /= 0) then
+            call print_heading(conic, printer, out)
+            call print_stepped(y_table(conic), printer, out, error)
+        end if
+        if (.not. allocated(error) .and. .not. checks_hold) call fail(error, cause%checks_off, &
+            'the check values are not -1.00000: the figures of this card are not of its conic; '// &
+            'with a shift that takes no point near zero they may be')
     end subroutine run_card
 
     !> Puts the card into words and shifts the points.
@@ -156,10 +162,11 @@ contains
     end subroutine print_heading
 
     !> The left side of the equation at the three points, which must be -1.
-    subroutine print_checks(conic, printer, out, error)
+    subroutine print_checks(conic, printer, out, hold, error)
         type(conic_type), intent(in) :: conic               !! conditions and coefficients
         type(printer_type), intent(in) :: printer           !! how lines leave
         type(output_type), intent(inout) :: out             !! where to
+        logical, intent(out) :: hold                        !! each prints as -1.00000
         type(error_type), allocatable, intent(out) :: error !! `cause%overflow`, `%underflow`
         type(hex_type) :: left(3)
         character(17) :: line
@@ -168,11 +175,13 @@ contains
         associate (c => conic%given)
             left = left_side(conic%coefficient, [c%x1, c%x2, c%x3], [c%y1, c%y2, c%y3])
         end associate
+        hold = .true.
         call interrupt(first_trap(left), 'in the check of the coefficients', error)
         if (allocated(error)) return
         line = ''
         do i = 1, 3
             call put_fixed(left(i), 5, line(7:17))
+            hold = hold .and. adjustl(line) == '-1.00000'
             call printer%print(line, out)
         end do
     end subroutine print_checks

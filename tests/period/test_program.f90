@@ -83,6 +83,9 @@ contains
         call tap%ok(lines(page) == 5 + 15 .and. why == 0, &
             'another shift gives the same number of rows')
         call tap%ok(index(page, '  -30.00000 -10.00000') > 0, 'another shift is taken off again')
+        call outcome(first_line//'5.0', '30.', page, why)
+        call tap%ok(lines(page) == 5 + 15 .and. why == cause%checks_off, &
+            'a shift that takes a point to X = 0 spoils the checks, and the page stands')
     end subroutine check_increments
 
     !> Tables that are too long, or would never end.
