@@ -145,12 +145,13 @@ SHARE = $(DESTDIR)$(PREFIX)/share
 
 install: $(LOFT)                    ## installs below PREFIX (DESTDIR is put before it)
 	install -d $(DESTDIR)$(PREFIX)/bin $(SHARE)/man/man1 $(SHARE)/loft/plot $(SHARE)/loft/cards \
-	    $(SHARE)/doc/loft
+	    $(SHARE)/doc/loft/doc
 	install -m 755 $(LOFT) $(DESTDIR)$(PREFIX)/bin
 	install -m 644 doc/loft.1 $(SHARE)/man/man1
 	install -m 644 $(wildcard plot/*.gp) $(SHARE)/loft/plot
 	install -m 644 $(wildcard cards/*) $(SHARE)/loft/cards
-	install -m 644 $(wildcard *.md) LICENSE $(wildcard doc/*.md doc/*.svg) $(SHARE)/doc/loft
+	install -m 644 $(wildcard *.md) LICENSE $(SHARE)/doc/loft
+	install -m 644 $(wildcard doc/*.md doc/*.svg doc/*.png) $(SHARE)/doc/loft/doc
 
 clean:                              ## removes build/
 	rm -rf $(BUILD)

@@ -31,8 +31,8 @@ contains
         case ('cards')
             call print_card_reference(out)
         case ('help')
-            call print_lines([character(64) :: 'loft help [TOPIC]', '', &
-                'TOPIC is run, check, plot or cards; none gives the overview.'], out)
+            call out%lines([character(64) :: 'loft help [TOPIC]', '', &
+                'TOPIC is run, check, plot or cards; none gives the overview.'])
         case default
             call fail(error, cause%usage, 'no help on '''//topic// &
                 '''; topics: run check plot cards')
@@ -48,7 +48,7 @@ contains
     !> Prints what LOFT is and its commands.
     subroutine print_overview(out)
         type(output_type), intent(inout) :: out !! where it goes
-        call print_lines([character(80) :: &
+        call out%lines([character(80) :: &
             'LOFT computes conic lofts of aircraft bodies from decks of card images.', '', &
             '  loft run [OPTIONS] [DECK]      tables of ordinates', &
             '  loft check DECK...             only reads, prints every diagnostic', &
@@ -57,13 +57,13 @@ contains
             '  loft --version', '', &
             'A DECK of - is standard input; run reads it too where no deck is named.', '', &
             'Exit status: 0 all done; 1 some card was in error, the others ran; 2 the', &
-            'command line is wrong, or a file can''t be read or written.'], out)
+            'command line is wrong, or a file can''t be read or written.'])
     end subroutine print_overview
 
     !> Prints the help on `loft run`.
     subroutine print_run(out)
         type(output_type), intent(inout) :: out !! where it goes
-        call print_lines([character(80) :: &
+        call out%lines([character(80) :: &
             'loft run [--arithmetic ieee|s360] [--shift N] [--asa] [--format listing|csv]', &
             '         [-o FILE] [DECK]', '', &
             'Runs a deck and prints its tables.', '', &
@@ -81,24 +81,24 @@ contains
             '                       of a body deck cut,kind,section,sta,bl,wl,slope,', &
             '                       curvature,bevel', &
             '  -o FILE              write FILE, complete or not at all', '', &
-            'Diagnostics go to standard error with file, line, columns and card.'], out)
+            'Diagnostics go to standard error with file, line, columns and card.'])
     end subroutine print_run
 
     !> Prints the help on `loft check`.
     subroutine print_check(out)
         type(output_type), intent(inout) :: out !! where it goes
-        call print_lines([character(80) :: &
+        call out%lines([character(80) :: &
             'loft check DECK...', '', &
             'Reads decks and prints every diagnostic on standard error, and nothing else.', &
             'It also warns of what run takes as punched: a number without a point has', &
             'implied decimals, a blank behind a figure is a zero.', &
-            'Exit status 1 where there is an error; warnings leave it 0.'], out)
+            'Exit status 1 where there is an error; warnings leave it 0.'])
     end subroutine print_check
 
     !> Prints the help on `loft plot`.
     subroutine print_plot(out)
         type(output_type), intent(inout) :: out !! where it goes
-        call print_lines([character(80) :: &
+        call out%lines([character(80) :: &
             'loft plot [-o DIR] [--format svg|pdf|png|txt] DECK', '', &
             'Draws the conics of a deck with their three points and end tangents.', &
             'The comment right before a card names it. A name with the word SIDE, PLAN,', &
@@ -108,17 +108,7 @@ contains
             '  -o DIR          folder for pictures, data and gnuplot scripts; made where', &
             '                  there is none. Default: the name of the deck and -plots', &
             '  --format F      svg (the default), pdf, png, or txt for a terminal', '', &
-            'Without gnuplot the data and scripts are written all the same.'], out)
+            'Without gnuplot the data and scripts are written all the same.'])
     end subroutine print_plot
-
-    !> Prints lines without the blanks at their ends.
-    subroutine print_lines(lines, out)
-        character(*), intent(in) :: lines(:)    !! the lines
-        type(output_type), intent(inout) :: out !! where they go
-        integer :: i
-        do i = 1, size(lines)
-            call out%line(trim(lines(i)))
-        end do
-    end subroutine print_lines
 
 end module app_help

@@ -28,6 +28,7 @@ module base_output
         procedure :: attach
         procedure :: put
         procedure :: line
+        procedure :: lines => put_lines
         procedure :: flush => flush_output
         procedure :: text => gathered_text
         procedure :: has_failed
@@ -64,6 +65,16 @@ contains
         call out%put(text)
         call out%put(new_line('a'))
     end subroutine line
+
+    !> Puts lines without the blanks at their ends.
+    subroutine put_lines(out, lines)
+        class(output_type), intent(inout) :: out !! the output
+        character(*), intent(in) :: lines(:)     !! the lines
+        integer :: i
+        do i = 1, size(lines)
+            call out%line(trim(lines(i)))
+        end do
+    end subroutine put_lines
 
     !> Hands everything to the system.
     !>

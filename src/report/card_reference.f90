@@ -42,29 +42,29 @@ contains
     !> Prints what holds for decks of both kinds.
     subroutine print_deck_rules(out)
         type(output_type), intent(inout) :: out !! where it goes
-        call print_lines([character(80) :: &
+        call out%lines([character(80) :: &
             'A card has 80 columns. * in column 1 is a comment; blank cards are passed over.', &
             'The first card that is not blank, a comment, TITLE or UNITS decides: a number', &
-            'or nothing in its first field makes a 1970 deck, a word a body deck.', ''], out)
+            'or nothing in its first field makes a 1970 deck, a word a body deck.', ''])
     end subroutine print_deck_rules
 
     !> Prints how the conic card of 1970 is read.
     subroutine print_conic_rules(out)
         type(output_type), intent(inout) :: out !! where it goes
-        call print_lines([character(80) :: &
+        call out%lines([character(80) :: &
             'Columns 79-80 are free for a sequence number.', '', &
             'F fields: a punched point wins; without one the last columns are decimals', &
             '(-30 in F8.3 is -.030). A blank field is zero; a blank behind the first', &
             'figure is a zero. An exponent is E, D or a sign and figures: 1.5E2, 15.+1.', '', &
             'A comment right before a conic card names the card. TITLE and UNITS stand', &
             'before the first conic card. X1 of 999.99 or more, or the end of the file,', &
-            'ends the deck.', ''], out)
+            'ends the deck.', ''])
     end subroutine print_conic_rules
 
     !> Prints how the cards of a body deck are read.
     subroutine print_body_rules(out)
         type(output_type), intent(inout) :: out !! where it goes
-        call print_lines([character(80) :: &
+        call out%lines([character(80) :: &
             'A card has ten fields of eight columns; field 1 is columns 1-8. A card with a', &
             'comma in it has the same fields in the same order between commas, and up to', &
             '132 columns. A card with + alone in field 1 continues the one before: its', &
@@ -72,7 +72,7 @@ contains
             'A number is what it reads as: -30 is -30. A blank field is nothing, not zero.', &
             'A name has up to 8 letters, figures and signs - _ . / and begins with a letter;', &
             'capitals or not is the same. A name is used after the card that gives it.', &
-            'Fields in brackets may be left blank.'], out)
+            'Fields in brackets may be left blank.'])
     end subroutine print_body_rules
 
     !> Prints the columns of one card of either kind of deck.
@@ -165,15 +165,5 @@ contains
             call out%line('  '//option_words(i)%word//'  '//trim(option_words(i)%meaning))
         end do
     end subroutine print_options
-
-    !> Prints lines without the blanks at their ends.
-    subroutine print_lines(lines, out)
-        character(*), intent(in) :: lines(:)    !! the lines
-        type(output_type), intent(inout) :: out !! where they go
-        integer :: i
-        do i = 1, size(lines)
-            call out%line(trim(lines(i)))
-        end do
-    end subroutine print_lines
 
 end module report_card_reference

@@ -25,6 +25,7 @@ contains
     subroutine check_memory()
         type(output_type) :: out, large
         type(error_type), allocatable :: error
+        type(output_type) :: several
         integer :: i
 
         call tap%same(out%text(), '', 'an output begins empty')
@@ -35,6 +36,9 @@ contains
         call out%put(c_null_char)
         call tap%same(out%text(), 'ab '//feed//feed//c_null_char, &
             'text and lines stand as they were put')
+        call several%lines([character(3) :: 'a', '', ' b'])
+        call tap%same(several%text(), 'a'//feed//feed//' b'//feed, &
+            'several lines lose the blanks at their ends')
         call out%flush(error)
         call tap%ok(.not. allocated(error) .and. .not. out%has_failed(), 'memory does not fail')
         call tap%same(out%text(), 'ab '//feed//feed//c_null_char, &
