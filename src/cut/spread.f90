@@ -20,8 +20,8 @@ module cut_spread
 
     !> Newton steps and halvings that place one point.
     integer, parameter :: most_steps = 60
-    !> Halvings of a track for chords: 2**12 chords are more than any tolerance needs.
-    integer, parameter :: deepest = 12
+    !> Halvings of a track for chords: what is left is below the rounding of its points.
+    integer, parameter :: deepest = 40
 
 contains
 
@@ -46,7 +46,7 @@ contains
                 call crossings(body, track, request, inside, error)
             end if
         case (cut_rule%chord)
-            inside = within_chords(body, request%plane, track, request%step)
+            call within_chords(body, request%plane, track, request%step, inside, error)
         case default
             call equal_lengths(body, track, request, inside, error)
         end select
@@ -143,8 +143,15 @@ contains
         speed%track = track
         call integrate(speed, 0.0_dp, 1.0_dp, spacing_tolerance, length, rough)
         parts = max(1, request%number - 1)
-        if (request%rule == cut_rule%length) &
-            parts = max(1, nint(min(length/request%step, real(largest_table, dp))))
+        if (request%rule == cut_rule%length) then
+            if (length/request%step > largest_table) then
+                call fail(error, cause%too_many, 'lengths of '//compact(request%step)// &
+                    ' divide an outline of '//compact(length)//' into too many; LOFT makes at '// &
+                    'most '//to_text(largest_table)//' points: take longer ones')
+                return
+            end if
+            parts = max(1, nint(length/request%step))
+        end if
         t = 0.0_dp
         done = 0.0_dp
         do i = 1, parts - 1
@@ -183,29 +190,42 @@ contains
             ' of an outline of length '//compact(total))
     end subroutine advance
 
-    !> The stations inside such that no chord is further than a tolerance from the track.
-    pure function within_chords(body, plane, track, tolerance) result(stations)
-        type(body_type), intent(in) :: body         !! finished
-        type(plane_type), intent(in) :: plane       !! not across STA
-        type(track_type), intent(in) :: track       !! of that body and plane
-        real(dp), intent(in) :: tolerance           !! deck units, above zero
-        real(dp), allocatable :: stations(:), t(:), finer(:)
-        integer :: i, depth
+    !> The stations inside such that no chord is further than a tolerance from the track: from its
+    !> start on, what is ahead is halved until its chord is near enough. Fails with
+    !> `cause%too_many`.
+    pure subroutine within_chords(body, plane, track, tolerance, stations, error)
+        type(body_type), intent(in) :: body                     !! finished
+        type(plane_type), intent(in) :: plane                   !! not across STA
+        type(track_type), intent(in) :: track                   !! of that body and plane
+        real(dp), intent(in) :: tolerance                       !! deck units, above zero
+        real(dp), allocatable, intent(inout) :: stations(:)     !! deck units
+        type(error_type), allocatable, intent(out) :: error     !! see above
+        real(dp), allocatable :: found(:)
+        real(dp) :: ahead(deepest)
+        integer :: count, left, i
 
-        allocate (finer(0))
-        allocate (t(0))
-        t = [0.0_dp, 0.5_dp, 1.0_dp]
-        do depth = 1, deepest
-            finer = [t(1)]
-            do i = 2, size(t)
-                if (.not. is_flat(t(i - 1), t(i))) finer = [finer, 0.5_dp*(t(i - 1) + t(i))]
-                finer = [finer, t(i)]
-            end do
-            if (size(finer) == size(t)) exit
-            t = finer
+        allocate (found(largest_table))
+        found(1) = 0.0_dp
+        count = 1
+        ahead(:2) = [1.0_dp, 0.5_dp]
+        left = 2
+        do while (left > 0)
+            if (left < deepest .and. .not. is_flat(found(count), ahead(left))) then
+                ahead(left + 1) = 0.5_dp*(found(count) + ahead(left))
+                left = left + 1
+                cycle
+            end if
+            if (count == largest_table) then
+                call fail(error, cause%too_many, 'chords within '//compact(tolerance)// &
+                    ' of an outline are too many; LOFT makes at most '//to_text(largest_table)// &
+                    ' points: take a larger tolerance')
+                return
+            end if
+            count = count + 1
+            found(count) = ahead(left)
+            left = left - 1
         end do
-        allocate (stations(0))
-        stations = [(station_of(track, t(i)), i=2, size(t) - 1)]
+        stations = [(station_of(track, found(i)), i=2, count - 1)]
     contains
         !> True where the quarters of a stretch are as near to its chord as asked.
         pure logical function is_flat(from, to)
@@ -225,6 +245,6 @@ contains
                 is_flat = is_flat .and. norm2(off) <= tolerance
             end do
         end function is_flat
-    end function within_chords
+    end subroutine within_chords
 
 end module cut_spread

@@ -1,6 +1,6 @@
 !> Points by every rule along a quarter of a circle of radius 5.
 program test_arc_spread
-    use base_error, only: error_type
+    use base_error, only: cause, error_type
     use base_kinds, only: dp
     use cut_arc_spread, only: places_on
     use cut_plane, only: station_plane
@@ -56,5 +56,22 @@ program test_arc_spread
         'chords stay as near as asked, not nearer')
     call places_on(line_between([0.0_dp, 0.0_dp], [1.0_dp, 2.0_dp]), request, places, error)
     call tap%ok(size(places) == 2, 'a line is one chord')
+    request%step = 1.0e-13_dp
+    call places_on(circle, request, places, error)
+    call has_too_many('chords of a tolerance below rounding')
+    request%rule = cut_rule%length
+    request%step = 1.0e-9_dp
+    call places_on(circle, request, places, error)
+    call has_too_many('lengths of a thousand-millionth')
     call tap%finish()
+
+contains
+
+    !> What was asked makes too many points, and the error says so.
+    subroutine has_too_many(what)
+        character(*), intent(in) :: what !! was asked
+        call tap%ok(allocated(error), what//' are too many')
+        if (allocated(error)) call tap%ok(error%cause == cause%too_many, 'of that cause')
+    end subroutine has_too_many
+
 end program test_arc_spread

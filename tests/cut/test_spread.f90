@@ -52,6 +52,11 @@ program test_spread
     call tap%ok(size(sta) > 16 .and. size(sta) < 40, 'chords of .01 turn by 8 degrees at the most')
     call tap%ok(4.0_dp*(1.0_dp - cos(0.5_dp*maxval(angle(sta)))) <= 0.01_dp, &
         'none is further from the curve')
+    request%rule = cut_rule%length
+    request%step = 1.0e-9_dp
+    call stations_on(body, tracks(1), request, sta, error)
+    call tap%ok(allocated(error), 'lengths of a thousand-millionth are too many')
+    if (allocated(error)) call tap%ok(error%cause == cause%too_many, 'of that cause')
     call new_grid(decimal_type(0_i64, 0), decimal_type(1_i64, -9), grid, error)
     request = by_step(waterline_plane(3.0_dp), 1, 1500)
     request%grid = grid
