@@ -1,12 +1,13 @@
 !> Whether sections go round the body: which of them meet, whether the skin breaks there, and where
 !> ends are left loose.
 !>
-!> Looked at are stops (ends of sections and joints of their lines) and stations in even steps
-!> between them. What is said of a stretch between two stops is so at all of its stations; the
-!> largest break is that of the stations looked at.
+!> Looked at are stops (ends of sections and of their gaps, joints of their lines) and stations in
+!> even steps between them. What is said of a stretch between two stops is so at all of its
+!> stations; the largest break is that of the stations looked at.
 module body_ring
     use base_kinds, only: dp
     use body_body, only: body_type, smooth_stops
+    use body_gap, only: gap_type, section_gaps
     use body_ring_end, only: break_between, break_in_mirror, ends_at, is_centred, &
         section_end_type, section_of, touch
     use body_ring_list, only: add_loose, add_meeting, add_stretch, closure, loose_end_type, &
@@ -38,12 +39,14 @@ contains
     !> The stops of all sections, in order, each once.
     pure function all_stops(body) result(stops)
         type(body_type), intent(in) :: body !! finished
+        type(gap_type), allocatable :: gaps(:)
         real(dp), allocatable :: stops(:), all(:)
         integer :: i
 
         allocate (stops(0), all(0))
         do i = 1, size(body%sections)
-            all = [all, smooth_stops(body, body%sections(i))]
+            gaps = section_gaps(body, body%sections(i))
+            all = [all, smooth_stops(body, body%sections(i)), gaps%from, gaps%to]
         end do
         if (size(all) == 0) return
         stops = [minval(all)]
@@ -172,6 +175,5 @@ contains
             loose%gap = ends(worst, i)%point - ends(worst, number)%point
         end do
     end function loose_end_of
-
 
 end module body_ring

@@ -28,6 +28,7 @@ program test_ring
     call prove_breaks()
     call prove_ranges()
     call prove_gaps()
+    call prove_missing_arcs()
     call prove_both_sides()
     call prove_nothing()
     call tap%finish()
@@ -108,6 +109,17 @@ contains
         call tap%near(ring%meetings(2)%break, 90.0_dp - atan(2.0_dp)*degrees, good, &
             'and their sections break as such do')
     end subroutine prove_gaps
+
+    !> A section whose shoulder line leaves its tangents, upright in BL 5, at station 40.
+    subroutine prove_missing_arcs()
+        call go_round(tube//'LINE,OUT,SIDE,-4.|LINE,OUT,PLAN|STRAIGHT,0.,3.,80.,7.|'//upper// &
+            'SECTION,LOWER,LCL,OUT,MHB,0.,999.999,0.,80.')
+        call tap%near(maxval(ring%meetings%to, mask=ring%meetings%end(2) == 4), 40.0_dp, good, &
+            'sections meet as far as both have an arc')
+        call tap%ok(size(ring%stretches) == 2, 'where one has none begins another stretch')
+        call tap%near(ring%stretches(1)%to, 40.0_dp, good, 'there')
+        call tap%ok(ring%stretches(2)%closure == closure%open, 'which is open')
+    end subroutine prove_missing_arcs
 
     !> Both halves of a body that is not symmetric.
     subroutine prove_both_sides()
