@@ -65,6 +65,20 @@ has 2 err 'body deck' 'the arithmetic of 1970 has no body decks'
 change 's/^LINE    LSH     PLAN/LINE    LSH     PLNA/'; loft check "$work/deck.crd"
 has 1 err 'PLAN' 'a wrong view is told'
 
+# --- no more points than a table has, and nothing said twice of a card
+change 's/^BUTTOCK.*/POINTS  LENGTH  1.E-9\nSTATION 5./'; loft run "$work/deck.crd"
+has 1 err 'too many; LOFT makes at most 100000 points' 'points without number are refused, with their bound'
+change 's/^STATION.*/SKIN    20.\nSTATION LIST    50.     50./'; loft run "$work/deck.crd"
+[ "$(sort "$work/err" | uniq -d | grep -c warning:)" = 0 ]; ok $? 'what is said of one cut is not said again of the next' "$(cat "$work/err")"
+
+# --- a plane that touches a straight side
+printf 'LINE,%s\n' 'TOP,SIDE,5.' 'MID,SIDE,0.' 'MID,PLAN' > "$work/touch.crd"
+printf '%s\n' 'STRAIGHT,0.,5.,20.,7.' 'STRAIGHT,20.,7.,60.,7.,KNUCKLE' 'LINE,SHL,SIDE,4.' 'LINE,SHL,PLAN,4.5' \
+    'SECTION,UPPER,TOP,SHL,MID,0.,999.999' 'BUTTOCK,7.,0.,60.,20.' >> "$work/touch.crd"
+loft run "$work/touch.crd"
+has 0 out '^ *20.000 *7.000 *0.000 *-90.000$' 'a plane that touches the skin has points without slope and curvature'
+has 0 out '^OUTLINE 1 OF 1, OPEN$' 'the line on which it touches is found, once'
+
 # --- units, feet-inches-eighths, wide pages
 change 's/^UNITS.*/OUTPUT  FIE/'; loft run "$work/deck.crd"
 has 0 out '-1-06-0' 'WL -18 in is -1-06-0 in feet, inches and eighths'

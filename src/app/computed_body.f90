@@ -121,20 +121,32 @@ contains
         do i = 1, size(requests)
             call make_cut(computed%body, requests(i), made, error)
             if (allocated(error)) then
-                if (error%message /= said) call blame(asked%card, 1, error%message, faults)
-                said = error%message
+                call say(asked, error%message, .true., said, faults)
                 cycle
             end if
             do k = 1, size(made%notes)
-                if (made%notes(k)%is_error) then
-                    call blame(asked%card, 1, made%notes(k)%message, faults)
-                else
-                    call warn(asked%card, 1, made%notes(k)%message, faults)
-                end if
+                call say(asked, made%notes(k)%message, made%notes(k)%is_error, said, faults)
             end do
             computed%cuts = [computed%cuts, made]
         end do
     end subroutine add_cuts
+
+    !> Says on the card of a cut what has not been said of it.
+    subroutine say(asked, message, is_error, said, faults)
+        type(asked_cut_type), intent(in) :: asked           !! the card
+        character(*), intent(in) :: message                 !! what is wrong
+        logical, intent(in) :: is_error                     !! not a warning
+        character(:), allocatable, intent(inout) :: said    !! all so far, each with a line end
+        type(fault_list_type), intent(inout) :: faults      !! gets it
+
+        if (index(said, message//new_line('a')) > 0) return
+        said = said//message//new_line('a')
+        if (is_error) then
+            call blame(asked%card, 1, message, faults)
+        else
+            call warn(asked%card, 1, message, faults)
+        end if
+    end subroutine say
 
     !> Where cuts of a kind stand along their axis, each ordinate once.
     pure function cut_at(cuts, kind, axis) result(ordinates)

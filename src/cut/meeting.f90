@@ -40,7 +40,8 @@ module cut_meeting
 
 contains
 
-    !> The form of an arc at a station. A height that is known to be zero is so exactly.
+    !> The form of an arc at a station. What is known to be zero is so exactly: the height of an
+    !> edge in the plane, and with an end tangent in the plane, too, e2.
     pure type(meeting_type) function meeting_of(arc, sta, plane, lies) result(it)
         type(arc_type), intent(in) :: arc       !! x is BL, y is WL
         real(dp), intent(in) :: sta             !! deck units
@@ -52,6 +53,15 @@ contains
         if (.not. lies(2)) it%finish = edge_height(plane, sta, arc%finish)
         rise = plane%normal(2)*arc%bulge(1) + plane%normal(3)*arc%bulge(2)
         it%middle = 0.5_dp*((arc%fullness - 1.0_dp)*(it%start + it%finish)) + arc%size*rise
+        if ((lies(1) .and. is_along(arc%start_tangent)) .or. &
+            (lies(2) .and. is_along(arc%finish_tangent))) it%middle = twofold_type()
+    contains
+        !> True for an end tangent in the plane: it then touches the arc there, and e2 is zero.
+        pure logical function is_along(tangent)
+            real(dp), intent(in) :: tangent(2) !! BL, WL
+            is_along = abs(dot_product(plane%normal(2:), tangent)) <= &
+                decimal_noise*ulp*norm2(plane%normal(2:))*norm2(tangent)
+        end function is_along
     end function meeting_of
 
     !> The height of a point over a plane, times the length of the plane's normal.
@@ -121,8 +131,8 @@ contains
         if (up%middle%high > 0.0_dp) then
             has_branch = up%start%high <= 0.0_dp
         else
-            has_branch = up%finish%high >= 0.0_dp &
-                .and. (up%middle%high < 0.0_dp .or. up%finish%high > 0.0_dp)
+            has_branch = up%finish%high >= 0.0_dp .and. (up%middle%high < 0.0_dp &
+                .or. up%finish%high > 0.0_dp .or. up%start%high < 0.0_dp)
         end if
     end function has_branch
 

@@ -20,6 +20,9 @@ module cut_point
 
     !> Sine of the least angle between plane and skin at which points are moved along the skin.
     real(dp), parameter :: steepest = 1.0e-3_dp
+    !> Sine of the angle between plane and skin up to which they touch, and rounding alone would
+    !> give their intersection a direction.
+    real(dp), parameter :: touching = 1.0e-10_dp
 
 contains
 
@@ -78,7 +81,8 @@ contains
             .or. (track%to%kind == happening%turn .and. .not. sta < track%to%sta)
     end function is_turn
 
-    !> The unit tangent of a track, aft; zero where there is none. With N the outward normal and n
+    !> The unit tangent of a track, aft; zero where there is none, as where the plane touches the
+    !> skin. With N the outward normal and n
     !> that of the plane it is N x n, which goes aft where the height over the plane rises along a
     !> section whose outside is to the right.
     pure function tangent_of(normal, plane, track, outward) result(way)
@@ -89,7 +93,11 @@ contains
         real(dp) :: way(3)
 
         way = across(normal, plane%normal/norm2(plane%normal))
-        if (norm2(way) > 0.0_dp) way = way/norm2(way)
+        if (norm2(way) <= touching) then
+            way = 0.0_dp
+            return
+        end if
+        way = way/norm2(way)
         way = outward*real(track%branch, dp)*way
     end function tangent_of
 
