@@ -32,6 +32,7 @@ contains
         type(part_type), intent(in) :: parts(:) !! in any order
         real(dp), intent(in) :: tolerance       !! ends within this are one point, deck units
         type(chain_type), allocatable :: chains(:)
+        type(chain_type) :: chain
         integer :: mate(2*size(parts)), i
         logical :: is_used(size(parts))
 
@@ -40,13 +41,15 @@ contains
         is_used = .false.
         do i = 1, 2*size(parts)
             if (is_used((i + 1)/2) .or. mate(i) /= 0) cycle
-            chains = [chains, chain_from(i, mate, is_used)]
-            call mark(chains(size(chains)), is_used)
+            chain = chain_from(i, mate, is_used)
+            chains = [chains, chain]
+            call mark(chain, is_used)
         end do
         do i = 1, size(parts)
             if (is_used(i)) cycle
-            chains = [chains, chain_from(2*i - 1, mate, is_used)]
-            call mark(chains(size(chains)), is_used)
+            chain = chain_from(2*i - 1, mate, is_used)
+            chains = [chains, chain]
+            call mark(chain, is_used)
         end do
     end function chains_of
 
