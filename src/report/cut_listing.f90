@@ -144,7 +144,8 @@ contains
         end do
     end subroutine print_lines
 
-    !> Prints the outlines of the inside of the skin.
+    !> Prints the outlines of the inside of the skin. One without points is left out: a note says
+    !> why it has none.
     subroutine print_inside(page, cut, sections, form, out)
         type(page_type), intent(inout) :: page          !! the listing
         type(cut_type), intent(in) :: cut               !! the cut
@@ -153,6 +154,7 @@ contains
         type(output_type), intent(inout) :: out         !! where it goes
         integer :: i
         do i = 1, size(cut%inside)
+            if (size(cut%inside(i)%points) == 0) cycle
             call page%line(out, 'INSIDE OF SKIN, '//ordinate(form, cut%skin)//' THICK: OUTLINE '// &
                 to_text(i)//' OF '//to_text(size(cut%inside)))
             call print_points(page, cut, cut%inside(i), sections, form, out)

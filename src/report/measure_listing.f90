@@ -18,13 +18,15 @@ module report_measure_listing
 
 contains
 
-    !> Prints the sections of the area curve, then volume, wetted area and centroid.
+    !> Prints the sections of the area curve, then volume, wetted area and centroid; nothing of a
+    !> body without sections.
     subroutine print_measures(page, measure, form, out)
         type(page_type), intent(inout) :: page          !! the listing
         type(body_measure_type), intent(in) :: measure  !! of a body
         type(ordinate_form_type), intent(in) :: form    !! unit and decimals
         type(output_type), intent(inout) :: out         !! where it goes
 
+        if (size(measure%curve) == 0) return
         call print_curve(page, measure, form, out)
         call page%blank(out)
         call page%keep(out, 5)

@@ -45,6 +45,10 @@ program test_measure_listing
     call tap%has(text, &
         'VOLUME              16387.064000', 'in cubic millimetres, 25.4**3 to a cubic inch')
     call tap%has(text, '50.800', 'girths follow the unit: 2 in are 50.8 mm')
+    deallocate (measure%curve)
+    allocate (measure%curve(0))
+    text = listing('INCHES')
+    call tap%same(text, '', 'without sections nothing is measured')
     call tap%finish()
 
 contains
