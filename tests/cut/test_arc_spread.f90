@@ -42,6 +42,12 @@ program test_arc_spread
     request%step = 1.0_dp
     call places_on(circle, request, places, error)
     call tap%ok(size(places) == 9, 'a length of 1 goes into 7.85 eight times, nearly')
+    request%step = 1.0e-10_dp
+    call places_on(circle, request, places, error)
+    call tap%ok(error%cause == cause%too_many, 'a length that gives more points than a table has')
+    request%step = 1.0e-70_dp
+    call places_on(circle, request, places, error)
+    call tap%ok(error%cause == cause%too_many, 'a length that gives more than can be counted')
     request%rule = cut_rule%chord
     request%step = 0.001_dp
     call places_on(circle, request, places, error)
