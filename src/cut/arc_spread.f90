@@ -4,7 +4,7 @@ module cut_arc_spread
     use base_error, only: cause, error_type, fail
     use base_kinds, only: dp
     use base_text, only: compact, to_text
-    use cut_request, only: cut_rule, equal_parts, request_type
+    use cut_request, only: cut_rule, request_type
     use geom_arc, only: arc_type
     use geom_arc_point, only: point
     use geom_contour, only: contour_of, contour_point_type
@@ -34,7 +34,6 @@ contains
         type(contour_point_type), allocatable :: rows(:)
         type(request_type), parameter :: usual = request_type()
         real(dp) :: length
-        integer :: parts
 
         select case (request%rule)
         case (cut_rule%step)
@@ -55,9 +54,7 @@ contains
                     to_text(largest_table)//' points: take longer ones')
                 return
             end if
-            call equal_parts(length, request%step, parts, error)
-            if (allocated(error)) return
-            call places_by_length(arc, 1 + parts, places, error)
+            call places_by_length(arc, 1 + max(1, nint(length/request%step)), places, error)
         case (cut_rule%chord)
             call within_chords(arc, request%step, places, error)
         end select

@@ -1,15 +1,12 @@
 !> What is asked of a cut: the plane, its limits, how its points are spread, flange and skin.
 module cut_request
-    use base_constants, only: largest_table
     use base_decimal, only: grid_type
-    use base_error, only: cause, error_type, fail
     use base_kinds, only: dp
-    use base_text, only: compact, to_text
     use cut_plane, only: plane_type
     implicit none (type, external)
     private
 
-    public :: request_type, limit_type, equal_parts
+    public :: request_type, limit_type
 
     !> How the points of a cut are spread, numbered as on the cards.
     type, public :: rule_list
@@ -43,25 +40,5 @@ module cut_request
         logical :: is_flange_forward = .false.  !! FLANGE FWD
         real(dp) :: skin = 0.0_dp               !! thickness, deck units; 0: not asked
     end type request_type
-
-contains
-
-    !> Into how many equal parts a length goes, each as near to a step as goes evenly. Fails with
-    !> `cause%too_many` where there would be more than `largest_table`.
-    pure subroutine equal_parts(length, step, parts, error)
-        real(dp), intent(in) :: length                      !! deck units
-        real(dp), intent(in) :: step                        !! deck units, above zero
-        integer, intent(out) :: parts                       !! 1 or more
-        type(error_type), allocatable, intent(out) :: error !! see above
-
-        parts = 1
-        if (length > largest_table*step) then
-            call fail(error, cause%too_many, 'points '//compact(step)//' apart along '// &
-                compact(length)//' are too many; LOFT makes at most '//to_text(largest_table)// &
-                ': take a longer step')
-            return
-        end if
-        parts = max(1, nint(length/step))
-    end subroutine equal_parts
 
 end module cut_request

@@ -8,7 +8,7 @@ module cut_spread
     use base_tolerances, only: decimal_noise, spacing_tolerance, ulp
     use body_body, only: body_type
     use cut_plane, only: plane_type
-    use cut_request, only: cut_rule, equal_parts, request_type
+    use cut_request, only: cut_rule, request_type
     use cut_track, only: track_type
     use cut_walk, only: coordinate_type, point_at, speed_type, station_of
     use geom_quadrature, only: integrate
