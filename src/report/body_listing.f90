@@ -24,11 +24,15 @@ module report_body_listing
 
     public :: body_listing_type
 
+    !> Decimals that the tables of meetings, measures and clearances have room for.
+    integer, parameter :: few_decimals = 3
+
     !> A listing being printed.
     type :: body_listing_type
         private
         type(page_type) :: page             !! its pages
         type(ordinate_form_type) :: form    !! unit and decimals of ordinates
+        type(ordinate_form_type) :: coarse  !! of tables that have room for `few_decimals`
         integer :: cuts = 0                 !! cuts printed so far
     contains
         procedure :: begin
@@ -55,6 +59,8 @@ contains
             if (job%title /= '') title = job%title
         end if
         listing%form = new_form(trim(job%units), trim(job%output), job%digits)
+        listing%coarse = listing%form
+        listing%coarse%decimals = min(listing%form%decimals, few_decimals)
         call listing%page%set_size(job%page_columns, job%page_lines)
         call listing%page%set_heading(title, deck, listing%form%unit)
         call print_title_page(listing%page, job, listing%form, out)
@@ -72,7 +78,7 @@ contains
             call listing%page%line(out, 'BODY '//trim(body%name))
             call listing%page%blank(out)
         end if
-        call print_ledger(listing%page, joints, listing%form, out)
+        call print_ledger(listing%page, joints, listing%coarse, out)
     end subroutine print_body_head
 
     !> Prints how the sections of a body meet.
@@ -81,7 +87,7 @@ contains
         type(body_type), intent(in) :: body                 !! the body
         type(ring_type), intent(in) :: ring                 !! of the body
         type(output_type), intent(inout) :: out             !! where it goes
-        call print_ring(listing%page, body, ring, listing%form, out)
+        call print_ring(listing%page, body, ring, listing%coarse, out)
     end subroutine print_body_ring
 
     !> Prints the tables of offsets.
@@ -100,7 +106,7 @@ contains
         class(body_listing_type), intent(inout) :: listing  !! the listing
         type(body_measure_type), intent(in) :: measure      !! of a body
         type(output_type), intent(inout) :: out             !! where they go
-        call print_measures(listing%page, measure, listing%form, out)
+        call print_measures(listing%page, measure, listing%coarse, out)
     end subroutine print_body_measures
 
     !> Prints the clearances of a body's components.
@@ -108,7 +114,7 @@ contains
         class(body_listing_type), intent(inout) :: listing  !! the listing
         type(clearance_type), intent(in) :: clearances(:)   !! of its components
         type(output_type), intent(inout) :: out             !! where they go
-        call print_clearances(listing%page, clearances, listing%form, out)
+        call print_clearances(listing%page, clearances, listing%coarse, out)
     end subroutine print_body_clearances
 
     !> Prints the next cut.

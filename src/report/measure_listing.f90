@@ -54,6 +54,7 @@ contains
         do i = 1, size(measure%curve)
             associate (section => measure%curve(i))
                 call page%line(out, section_row(section, form))
+                if (is_lopsided(section, form)) call page%line(out, lopsided_row(section, form))
                 if (section%has_area .or. allocated(why)) cycle
                 if (allocated(section%why)) why = 'WITHOUT AREA: AT STA '// &
                     ordinate(form, section%sta)//' '//section%why
@@ -85,6 +86,25 @@ contains
             fixed(form%factor**4*section%inertia(1), large_width + 3, form%decimals)// &
             fixed(form%factor**4*section%inertia(2), large_width + 3, form%decimals)
     end function section_row
+
+    !> True where the centroid of a section is off BL 0 as far as it is printed.
+    pure logical function is_lopsided(section, form)
+        type(section_measure_type), intent(in) :: section   !! the section
+        type(ordinate_form_type), intent(in) :: form        !! unit and decimals
+        is_lopsided = section%has_area .and. &
+            abs(form%factor*section%centroid(1))*10.0_dp**form%decimals >= 0.5_dp
+    end function is_lopsided
+
+    !> The row below that of a section whose two sides differ.
+    pure function lopsided_row(section, form) result(text)
+        type(section_measure_type), intent(in) :: section   !! the section
+        type(ordinate_form_type), intent(in) :: form        !! unit and decimals
+        character(:), allocatable :: text
+        text = right('CENTROID BL', figure_width + figure_width + large_width)// &
+            ordinate_text(form, section%centroid(1), large_width)// &
+            right('PRODUCT', large_width + 3)// &
+            fixed(form%factor**4*section%inertia(3), large_width + 3, form%decimals)
+    end function lopsided_row
 
     !> Prints volume, centroid and wetted area with the estimates of their errors.
     subroutine print_body(page, measure, form, out)

@@ -19,10 +19,10 @@ module report_offset_listing
     character(34), parameter :: title(2) = [character(34) :: &
         'HEIGHTS (WL) ON BUTT LINES', 'HALF-BREADTHS (BL) ON WATERLINES']
     character(2), parameter :: label(2) = ['BL', 'WL']
-    !> Columns of the ordinate at the left, and of a section's name.
-    integer, parameter :: ordinate_width = 12, name_width = 10
-    !> Columns of a figure beside its decimals.
-    integer, parameter :: bare_width = 7
+    !> Columns of a section's name.
+    integer, parameter :: name_width = 10
+    !> Columns of a figure, and of the ordinate at the left, beside their decimals.
+    integer, parameter :: bare_width = 7, bare_ordinate = 9
     !> Rows that stay together with their heads.
     integer, parameter :: block_lines = 6
 
@@ -35,10 +35,11 @@ contains
         character(*), intent(in) :: sections(:)         !! names of the body's sections
         type(ordinate_form_type), intent(in) :: form    !! unit and decimals
         type(output_type), intent(inout) :: out         !! where it goes
-        integer :: first, last, side_by_side, figure_width
+        integer :: first, last, side_by_side, figure_width, ordinate_width
 
         if (size(table%rows) == 0) return
         figure_width = bare_width + max(3, form%decimals)
+        ordinate_width = bare_ordinate + max(3, form%decimals)
         side_by_side = (page%width() - ordinate_width - name_width)/figure_width
         do first = 1, size(table%stations), side_by_side
             last = min(first + side_by_side - 1, size(table%stations))
@@ -59,9 +60,10 @@ contains
         type(output_type), intent(inout) :: out         !! where it goes
         character(widest_page) :: head(2)
         character(:), allocatable :: text
-        integer :: i, j, figure_width
+        integer :: i, j, figure_width, ordinate_width
 
         figure_width = bare_width + max(3, form%decimals)
+        ordinate_width = bare_ordinate + max(3, form%decimals)
         head(1) = right(label(table%axis), ordinate_width)//' SECTION    STA'
         text = row_of(' ', ordinate_width + name_width)
         do j = band(1), band(2)

@@ -37,6 +37,12 @@ program test_measure_listing
     call tap%has(text, 'WETTED AREA           100.000000   ERROR BELOW 2.5E-09', &
         'the wetted area has the estimate of its error')
     call tap%has(text, 'NO VOLUME: it is open', 'a body that does not close says so')
+    call tap%ok(index(text, 'PRODUCT') == 0, 'of a section with two like sides no more is said')
+    measure%curve(2)%centroid = [1.5_dp, -4.0_dp]
+    measure%curve(2)%inertia(3) = 7.0_dp
+    text = listing('INCHES')
+    call tap%has(text, 'CENTROID BL       1.500        PRODUCT          7.000', &
+        'where the sides differ, the BL of the centroid and the product moment stand below')
     measure%has_volume = .true.
     measure%volume = 1.0_dp
     text = listing('INCHES')
