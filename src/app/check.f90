@@ -1,6 +1,6 @@
 !> `loft check`: reads decks, prints every diagnostic, and nothing else.
 module app_check
-    use app_computed_body, only: compute_body, computed_body_type
+    use app_computed_body, only: computed_body_type, judge_body
     use app_input, only: close_input, deck_input_type, open_input
     use app_options, only: argument_type
     use app_status, only: status
@@ -104,7 +104,7 @@ contains
         call read_job(input%source, input%opening%heading, job, faults, error)
         if (allocated(error)) return
         do i = 1, size(job%body)
-            call compute_body(job, i, computed, faults)
+            call judge_body(job, i, computed, faults)
         end do
     end subroutine check_body
 

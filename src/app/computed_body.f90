@@ -27,7 +27,7 @@ module app_computed_body
     implicit none (type, external)
     private
 
-    public :: computed_body_type, compute_body, cuts_of_body
+    public :: computed_body_type, compute_body, judge_body
 
     !> A body and what was asked of it.
     type :: computed_body_type
@@ -44,7 +44,7 @@ module app_computed_body
 
 contains
 
-    !> Computes all that is asked of a body.
+    !> Computes all that is asked of a body: what `judge_body` does, offset tables and measures.
     subroutine compute_body(job, number, computed, faults)
         type(job_type), intent(in) :: job                       !! what the deck asks for
         integer, intent(in) :: number                           !! which of its bodies
@@ -52,17 +52,28 @@ contains
         type(fault_list_type), intent(inout) :: faults          !! what is wrong is added
         real(dp), allocatable :: stations(:)
 
-        call cuts_of_body(job, number, computed, faults)
-        computed%ring = ring_of(computed%body)
-        call warn_of_ring(job%body(number), computed%body, computed%ring, faults)
+        call judge_body(job, number, computed, faults)
         stations = cut_at(computed%cuts, cut_kind%station, 1)
         computed%heights = heights(computed%body, cut_at(computed%cuts, cut_kind%buttock, 2), &
             stations)
         computed%half_breadths = half_breadths(computed%body, &
             cut_at(computed%cuts, cut_kind%waterline, 3), stations)
         call measure_body(computed%body, stations, computed%measure)
-        call check_components(job%body(number), computed, faults)
     end subroutine compute_body
+
+    !> Computes all of a body that a fault can be found in: lines, sections and how they meet, cuts,
+    !> clearances. Offset tables and measures are left out.
+    subroutine judge_body(job, number, computed, faults)
+        type(job_type), intent(in) :: job                       !! what the deck asks for
+        integer, intent(in) :: number                           !! which of its bodies
+        type(computed_body_type), intent(out) :: computed       !! what came out
+        type(fault_list_type), intent(inout) :: faults          !! what is wrong is added
+
+        call cuts_of_body(job, number, computed, faults)
+        computed%ring = ring_of(computed%body)
+        call warn_of_ring(job%body(number), computed%body, computed%ring, faults)
+        call check_components(job%body(number), computed, faults)
+    end subroutine judge_body
 
     !> Builds a body and cuts it; no measures, no tables. A body without sections is not cut: why it
     !> has none has been said.

@@ -9,7 +9,7 @@ module base_posix
     private
 
     public :: c_fopen, c_fileno, c_fclose, c_read, c_write, c_creat, c_close, c_rename, c_unlink
-    public :: c_truncate, c_readlink, c_mkdir, c_getpid, c_isatty, c_signal, c_raise
+    public :: c_truncate, c_readlink, c_mkdir, c_getpid, c_signal, c_raise
     public :: c_text, last_error, real_path
 
     !> Descriptor of standard input.
@@ -116,12 +116,6 @@ module base_posix
         integer(c_int) function c_getpid() bind(c, name='getpid')
             import :: c_int
         end function c_getpid
-
-        !> 1 where a descriptor is a terminal.
-        integer(c_int) function c_isatty(descriptor) bind(c, name='isatty')
-            import :: c_int
-            integer(c_int), value :: descriptor !! any descriptor
-        end function c_isatty
 
         !> Says which procedure a signal calls; a null pointer restores what the system does.
         type(c_funptr) function c_signal(number, handler) bind(c, name='signal')

@@ -16,7 +16,7 @@ module report_cut_listing
     use cut_outline, only: cut_point_type, cut_type, note_type, outline_type
     use cut_plane, only: cut_kind, plane_type
     use report_digits, only: fixed, scientific
-    use report_ordinate, only: ordinate_form_type, ordinate_text
+    use report_ordinate, only: ordinate_form_type, ordinate_text, ordinate_words
     use report_page, only: page_type, widest_page
     implicit none (type, external)
     private
@@ -77,11 +77,11 @@ contains
         character(:), allocatable :: text
         select case (plane%kind)
         case (cut_kind%station)
-            text = 'STATION '//ordinate(form, plane%through(1))
+            text = 'STATION '//ordinate_words(form, plane%through(1))
         case (cut_kind%buttock)
-            text = 'BUTT LINE '//ordinate(form, plane%through(2))
+            text = 'BUTT LINE '//ordinate_words(form, plane%through(2))
         case (cut_kind%waterline)
-            text = 'WATERLINE '//ordinate(form, plane%through(3))
+            text = 'WATERLINE '//ordinate_words(form, plane%through(3))
         case (cut_kind%oblique)
             text = 'OBLIQUE FRAME'
         case default
@@ -95,8 +95,8 @@ contains
         type(plane_type), intent(in) :: plane           !! the plane
         type(ordinate_form_type), intent(in) :: form    !! of ordinates
         type(output_type), intent(inout) :: out         !! where it goes
-        call page%line(out, 'U = V = 0 AT  STA '//ordinate(form, plane%origin(1))//'  BL '// &
-            ordinate(form, plane%origin(2))//'  WL '//ordinate(form, plane%origin(3)))
+        call page%line(out, 'U = V = 0 AT  STA '//ordinate_words(form, plane%origin(1))//'  BL '// &
+            ordinate_words(form, plane%origin(2))//'  WL '//ordinate_words(form, plane%origin(3)))
         call page%line(out, 'U AXIS '//vector(plane%u)//'   V AXIS '//vector(plane%v)// &
             '   (STA BL WL)')
     end subroutine print_axes
@@ -155,8 +155,8 @@ contains
         integer :: i
         do i = 1, size(cut%inside)
             if (size(cut%inside(i)%points) == 0) cycle
-            call page%line(out, 'INSIDE OF SKIN, '//ordinate(form, cut%skin)//' THICK: OUTLINE '// &
-                to_text(i)//' OF '//to_text(size(cut%inside)))
+            call page%line(out, 'INSIDE OF SKIN, '//ordinate_words(form, cut%skin)// &
+                ' THICK: OUTLINE '//to_text(i)//' OF '//to_text(size(cut%inside)))
             call print_points(page, cut, cut%inside(i), sections, form, out)
         end do
     end subroutine print_inside
@@ -264,14 +264,6 @@ contains
         type(cut_type), intent(in) :: cut !! the cut
         is_oblique = cut%plane%kind == cut_kind%oblique .or. cut%plane%kind == cut_kind%plane
     end function is_oblique
-
-    !> An ordinate in a sentence.
-    pure function ordinate(form, value) result(text)
-        type(ordinate_form_type), intent(in) :: form    !! how
-        real(dp), intent(in) :: value                   !! deck units
-        character(:), allocatable :: text
-        text = trim(adjustl(ordinate_text(form, value, 16)))
-    end function ordinate
 
     !> A unit vector in a sentence.
     pure function vector(v) result(text)

@@ -6,7 +6,7 @@ module report_measure_listing
     use cut_measure, only: section_measure_type
     use cut_measure_body, only: body_measure_type
     use report_digits, only: fixed, scientific
-    use report_ordinate, only: ordinate_form_type, ordinate_text
+    use report_ordinate, only: ordinate_form_type, ordinate_text, ordinate_words
     use report_page, only: page_columns, page_type
     implicit none (type, external)
     private
@@ -57,7 +57,7 @@ contains
                 if (is_lopsided(section, form)) call page%line(out, lopsided_row(section, form))
                 if (section%has_area .or. allocated(why)) cycle
                 if (allocated(section%why)) why = 'WITHOUT AREA: AT STA '// &
-                    ordinate(form, section%sta)//' '//section%why
+                    ordinate_words(form, section%sta)//' '//section%why
             end associate
         end do
         if (allocated(why)) call page%paragraph(out, why)
@@ -113,15 +113,16 @@ contains
         type(ordinate_form_type), intent(in) :: form    !! unit and decimals
         type(output_type), intent(inout) :: out         !! where it goes
 
-        call page%line(out, 'FROM STA '//ordinate(form, measure%from)//' TO STA '// &
-            ordinate(form, measure%to))
+        call page%line(out, 'FROM STA '//ordinate_words(form, measure%from)//' TO STA '// &
+            ordinate_words(form, measure%to))
         if (measure%has_wetted) call page%line(out, 'WETTED AREA '// &
             figure(measure%wetted_area, measure%wetted_error, form%factor**2))
         if (measure%has_volume) then
             call page%line(out, 'VOLUME      '// &
                 figure(measure%volume, measure%volume_error, form%factor**3))
-            call page%line(out, 'CENTROID    STA '//ordinate(form, measure%centroid(1))//'  BL '// &
-                ordinate(form, measure%centroid(2))//'  WL '//ordinate(form, measure%centroid(3)))
+            call page%line(out, 'CENTROID    STA '//ordinate_words(form, measure%centroid(1))// &
+                '  BL '//ordinate_words(form, measure%centroid(2))// &
+                '  WL '//ordinate_words(form, measure%centroid(3)))
         else if (allocated(measure%why)) then
             call page%paragraph(out, 'NO VOLUME: '//measure%why)
         end if
@@ -136,13 +137,5 @@ contains
         text = fixed(factor*value, 20, 6)//'   ERROR BELOW '// &
             trim(adjustl(scientific(factor*error_estimate, 10, 2)))
     end function figure
-
-    !> An ordinate in a sentence.
-    pure function ordinate(form, value) result(text)
-        type(ordinate_form_type), intent(in) :: form    !! how
-        real(dp), intent(in) :: value                   !! deck units
-        character(:), allocatable :: text
-        text = trim(adjustl(ordinate_text(form, value, 16)))
-    end function ordinate
 
 end module report_measure_listing

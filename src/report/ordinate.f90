@@ -9,7 +9,7 @@ module report_ordinate
     implicit none (type, external)
     private
 
-    public :: ordinate_form_type, new_form, ordinate_text, largest_rounding
+    public :: ordinate_form_type, new_form, ordinate_text, ordinate_words, largest_rounding
 
     !> Millimetres in an inch: exact by definition.
     real(dp), parameter :: mm_per_inch = 25.4_dp
@@ -65,6 +65,15 @@ contains
             text = fixed(form%factor*value, width, form%decimals)
         end if
     end function ordinate_text
+
+    !> An ordinate for a sentence, without blanks.
+    pure function ordinate_words(form, value) result(text)
+        type(ordinate_form_type), intent(in) :: form !! how
+        real(dp), intent(in) :: value                !! deck units
+        character(:), allocatable :: text
+        integer, parameter :: room = 24
+        text = trim(adjustl(ordinate_text(form, value, room)))
+    end function ordinate_words
 
     !> Inches as feet, inches and eighths; an odd sixteenth is a `+` behind the eighth below it.
     pure function feet_inches_eighths(inches) result(text)

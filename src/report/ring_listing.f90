@@ -12,7 +12,7 @@ module report_ring_listing
     use body_ring_end, only: line_of_end, name_of_end
     use body_ring_list, only: closure, loose_end_type, meeting_type, ring_type, stretch_type
     use report_digits, only: fixed
-    use report_ordinate, only: ordinate_form_type, ordinate_text
+    use report_ordinate, only: ordinate_form_type, ordinate_text, ordinate_words
     use report_page, only: page_columns, page_type
     implicit none (type, external)
     private
@@ -85,7 +85,8 @@ contains
         type(ordinate_form_type), intent(in) :: form    !! unit and decimals
         character(:), allocatable :: words
 
-        words = 'FROM STA '//figure(form, stretch%from)//' TO STA '//figure(form, stretch%to)
+        words = 'FROM STA '//ordinate_words(form, stretch%from)//' TO STA '// &
+            ordinate_words(form, stretch%to)
         select case (stretch%closure)
         case (closure%round)
             words = words//' THE SECTIONS GO ALL ROUND'
@@ -103,21 +104,14 @@ contains
         type(ordinate_form_type), intent(in) :: form    !! unit and decimals
         character(:), allocatable :: words
 
-        words = 'FROM STA '//figure(form, loose%from)//' TO STA '//figure(form, loose%to)//' '// &
-            name_of_end(body, loose%end)//' MEETS NO SECTION ON '//line_of_end(body, loose%end)
+        words = 'FROM STA '//ordinate_words(form, loose%from)//' TO STA '// &
+            ordinate_words(form, loose%to)//' '//name_of_end(body, loose%end)// &
+            ' MEETS NO SECTION ON '//line_of_end(body, loose%end)
         if (loose%next == 0) return
         words = words//'; THE NEXT SUCH END, OF '//name_of_end(body, loose%next)//' ON '// &
-            line_of_end(body, loose%next)//', IS UP TO '//figure(form, loose%gap(1))// &
-            ' IN BL AND '//figure(form, loose%gap(2))//' IN WL AWAY, AT STA '// &
-            figure(form, loose%sta)
+            line_of_end(body, loose%next)//', IS UP TO '//ordinate_words(form, loose%gap(1))// &
+            ' IN BL AND '//ordinate_words(form, loose%gap(2))//' IN WL AWAY, AT STA '// &
+            ordinate_words(form, loose%sta)
     end function loose_words
-
-    !> An ordinate without blanks.
-    pure function figure(form, value) result(text)
-        type(ordinate_form_type), intent(in) :: form    !! unit and decimals
-        real(dp), intent(in) :: value                   !! deck units
-        character(:), allocatable :: text
-        text = trim(adjustl(ordinate_text(form, value, 2*ordinate_width)))
-    end function figure
 
 end module report_ring_listing

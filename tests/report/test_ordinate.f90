@@ -2,7 +2,8 @@
 !> 1-07-4; a sixteenth more is 19.5625 in, written 1-07-4+.
 program test_ordinate
     use base_kinds, only: dp
-    use report_ordinate, only: largest_rounding, new_form, ordinate_form_type, ordinate_text
+    use report_ordinate, only: largest_rounding, new_form, ordinate_form_type, ordinate_text, &
+        ordinate_words
     use support_tap, only: tap_type
     implicit none (type, external)
 
@@ -36,6 +37,7 @@ program test_ordinate
     call tap%same(ordinate_text(form, 1.625_dp, 9), '   1-07-4', 'from feet: 1.625 ft is 19.5 in')
     form = new_form('MM', 'FIE', 3)
     call tap%same(ordinate_text(form, 495.3_dp, 9), '   1-07-4', 'from millimetres')
+    call tap%same(ordinate_words(form, 495.3_dp), '1-07-4', 'in a sentence without blanks')
     call tap%finish()
 
 end program test_ordinate
