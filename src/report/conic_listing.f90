@@ -24,7 +24,7 @@ module report_conic_listing
     use geom_arc_point, only: slope_type
     use geom_conic, only: conic_kind, kind_name
     use geom_contour, only: contour_point_type
-    use report_digits, only: fixed, scientific
+    use base_digits, only: fixed, scientific
     use report_page, only: page_columns, page_type
     implicit none (type, external)
     private

@@ -8,7 +8,7 @@ module report_csv
     use base_output, only: output_type
     use base_text, only: to_text
     use body_card_tables, only: card_table_type
-    use report_digits, only: shortest
+    use base_digits, only: shortest
     use report_slope, only: slope_text
     implicit none (type, external)
     private

@@ -6,7 +6,7 @@ module report_cut_csv
     use base_output, only: output_type
     use base_text, only: to_text
     use cut_outline, only: cut_point_type, cut_type
-    use report_digits, only: shortest
+    use base_digits, only: shortest
     use report_slope, only: slope_text
     implicit none (type, external)
     private

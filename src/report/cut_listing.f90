@@ -15,7 +15,7 @@ module report_cut_listing
     use base_text, only: columns, compact, right, to_text
     use cut_outline, only: cut_point_type, cut_type, note_type, outline_type
     use cut_plane, only: cut_kind, plane_type
-    use report_digits, only: fixed, scientific
+    use base_digits, only: fixed, scientific
     use report_ordinate, only: ordinate_form_type, ordinate_text, ordinate_words
     use report_page, only: page_type, widest_page
     implicit none (type, external)

@@ -8,7 +8,7 @@ module report_ledger_listing
     use base_output, only: output_type
     use base_text, only: right, upper
     use body_ledger, only: joint_type, joint_words
-    use report_digits, only: fixed, scientific
+    use base_digits, only: fixed, scientific
     use report_ordinate, only: ordinate_form_type, ordinate_text
     use report_page, only: page_columns, page_type
     implicit none (type, external)

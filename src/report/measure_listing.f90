@@ -5,7 +5,7 @@ module report_measure_listing
     use base_text, only: right
     use cut_measure, only: section_measure_type
     use cut_measure_body, only: body_measure_type
-    use report_digits, only: fixed, scientific
+    use base_digits, only: fixed, scientific
     use report_ordinate, only: ordinate_form_type, ordinate_text, ordinate_words
     use report_page, only: page_columns, page_type
     implicit none (type, external)

@@ -5,7 +5,7 @@
 module report_ordinate
     use base_kinds, only: dp, i64
     use base_text, only: right, to_text
-    use report_digits, only: fixed
+    use base_digits, only: fixed
     implicit none (type, external)
     private
 

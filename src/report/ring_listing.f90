@@ -11,7 +11,7 @@ module report_ring_listing
     use body_body, only: body_type
     use body_ring_end, only: line_of_end, name_of_end
     use body_ring_list, only: closure, loose_end_type, meeting_type, ring_type, stretch_type
-    use report_digits, only: fixed
+    use base_digits, only: fixed
     use report_ordinate, only: ordinate_form_type, ordinate_text, ordinate_words
     use report_page, only: page_columns, page_type
     implicit none (type, external)

@@ -1,7 +1,7 @@
 !> A slope as text, where it may be vertical.
 module report_slope
     use geom_arc_point, only: slope_type
-    use report_digits, only: shortest
+    use base_digits, only: shortest
     implicit none (type, external)
     private
 

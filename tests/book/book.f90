@@ -12,7 +12,7 @@ program book
     use base_kinds, only: dp
     use base_text, only: right, to_text
     use body_body, only: body_type
-    use report_digits, only: fixed
+    use base_digits, only: fixed
     use support_book, only: characters_wrong, figure_type, read_coefficients, read_figures, &
         text_file
     use support_book_card, only: book_card_type, exact_figure, is_of_contour, printed_figure, &

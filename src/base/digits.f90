@@ -1,7 +1,7 @@
 !> Numbers as figures: fixed decimals for listings, figures with a power of ten for coefficients,
 !> and for CSV the shortest figures that read back as the same number. There is no `-0.000`, and a
 !> number that does not fit its columns is given with a power of ten, never as asterisks.
-module report_digits
+module base_digits
     use base_exact, only: is_equal, is_zero
     use base_kinds, only: dp, i128, i64
     use base_text, only: right, row_of
@@ -249,4 +249,4 @@ contains
         end if
     end function written
 
-end module report_digits
+end module base_digits

@@ -3,7 +3,7 @@
 program test_digits
     use base_kinds, only: dp, i64
     use base_text, only: to_text
-    use report_digits, only: fixed, scientific, shortest
+    use base_digits, only: fixed, scientific, shortest
     use support_random, only: random_type
     use support_tap, only: tap_type
     implicit none (type, external)
