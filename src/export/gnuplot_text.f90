@@ -2,6 +2,7 @@
 !> harmless: one line of sound UTF-8, in which gnuplot finds no quotes, macros or commands.
 module export_gnuplot_text
     use base_kinds, only: dp
+    use base_utf8, only: character_length
     implicit none (type, external)
     private
 
@@ -69,27 +70,6 @@ contains
         is_control = first < 32 .or. first == 127
         if (first == 194) is_control = ichar(letter(2:2)) < 160
     end function is_control
-
-    !> Bytes of the character in front of a text; 0 where it is no UTF-8 (RFC 3629, section 4).
-    pure integer function character_length(text) result(length)
-        character(*), intent(in) :: text !! at least one byte
-        integer :: first, second, i
-
-        first = ichar(text(1:1))
-        length = 0
-        if (first < 128) length = 1
-        if (first >= 194 .and. first < 224) length = 2
-        if (first >= 224 .and. first < 240) length = 3
-        if (first >= 240 .and. first < 245) length = 4
-        if (length > len(text)) length = 0
-        if (length < 2) return
-        second = ichar(text(2:2))
-        if (first == 224 .and. second < 160 .or. first == 237 .and. second >= 160 .or. &
-            first == 240 .and. second < 144 .or. first == 244 .and. second >= 144) length = 0
-        do i = length, 2, -1
-            if (iand(ichar(text(i:i)), 192) /= 128) length = 0
-        end do
-    end function character_length
 
     !> A number with all its figures.
     pure function number_text(value) result(text)
