@@ -1,7 +1,8 @@
 !> Linear systems by LAPACK. No other module of LOFT names a LAPACK routine.
 !>
 !> Source: E. Anderson et al., "LAPACK Users' Guide", 3rd ed., SIAM 1999, DGESVX: equilibration,
-!> elimination with pivoting, iterative refinement, estimate of the condition.
+!> elimination with pivoting, iterative refinement, estimate of the condition; DGBSV: elimination
+!> with pivoting in a band.
 module geom_lapack
     use base_error, only: cause, error_type, fail
     use base_kinds, only: dp
@@ -9,7 +10,7 @@ module geom_lapack
     implicit none (type, external)
     private
 
-    public :: solve
+    public :: solve, solve_banded
 
     interface
         !> LAPACK's expert driver for a general system; names and meanings are LAPACK's.
@@ -40,6 +41,22 @@ module geom_lapack
             integer, intent(inout) :: iwork(*)        !! n
             integer, intent(out) :: info              !! 0; 1 to n: exactly singular; n + 1: nearly
         end subroutine dgesvx
+
+        !> LAPACK's driver for a system whose matrix is a band; names and meanings are LAPACK's.
+        pure subroutine dgbsv(n, kl, ku, nrhs, ab, ldab, ipiv, b, ldb, info)
+            import :: dp
+            implicit none (type, external)
+            integer, intent(in) :: n                  !! order
+            integer, intent(in) :: kl                 !! diagonals below the main one
+            integer, intent(in) :: ku                 !! diagonals above it
+            integer, intent(in) :: nrhs               !! right-hand sides
+            integer, intent(in) :: ldab               !! leading dimension of ab
+            integer, intent(in) :: ldb                !! leading dimension of b
+            real(dp), intent(inout) :: ab(ldab, *)    !! kl rows of room, then the diagonals
+            integer, intent(out) :: ipiv(*)           !! pivots
+            real(dp), intent(inout) :: b(ldb, *)      !! right-hand sides, then solutions
+            integer, intent(out) :: info              !! 0; 1 to n: exactly singular
+        end subroutine dgbsv
     end interface
 
 contains
@@ -74,5 +91,31 @@ contains
             x = solution(:, 1)
         end if
     end subroutine solve
+
+    !> Solves systems `a x = b` of one matrix that is zero off a band: `a(i, j)` stands in
+    !> `band(above + 1 + i - j, j)`, `above` being the diagonals above the main one.
+    !>
+    !> Fails with `cause%singular` where the matrix is exactly singular; `x` is zero then.
+    pure subroutine solve_banded(band, below, x, error)
+        real(dp), intent(in) :: band(:, :)                  !! shape (above + 1 + below, n)
+        integer, intent(in) :: below                        !! diagonals below the main one
+        real(dp), intent(inout) :: x(:, :)                  !! b, then x; shape (n, systems)
+        type(error_type), allocatable, intent(out) :: error !! see above
+        real(dp), allocatable :: factors(:, :)
+        integer, allocatable :: pivots(:)
+        integer :: n, rows, info
+
+        n = size(band, 2)
+        rows = size(band, 1)
+        allocate (factors(below + rows, n), pivots(n))
+        factors(:below, :) = 0.0_dp
+        factors(below + 1:, :) = band
+        call dgbsv(n, below, rows - 1 - below, size(x, 2), factors, below + rows, pivots, x, n, &
+            info)
+        if (info == 0) return
+        x = 0.0_dp
+        call fail(error, cause%singular, 'the banded system of '//to_text(n)// &
+            ' equations has no unique solution')
+    end subroutine solve_banded
 
 end module geom_lapack
