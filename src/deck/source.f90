@@ -9,6 +9,7 @@ module deck_source
     use base_error, only: cause, error_type, fail
     use base_kinds, only: i64
     use base_posix, only: c_read, last_error
+    use base_sha256, only: sha256_type
     implicit none (type, external)
     private
 
@@ -41,9 +42,12 @@ module deck_source
         logical :: at_end = .false.
         character(:), allocatable :: trouble
         type(line_type), allocatable :: waiting(:)
+        type(sha256_type), allocatable :: sum
     contains
         procedure :: attach
         procedure :: from_text
+        procedure :: begin_checksum
+        procedure :: read_checksum
         procedure :: next_line
         procedure :: put_back
     end type source_type
@@ -65,6 +69,29 @@ contains
         source%block = text
         source%filled = len(text, i64)
     end subroutine from_text
+
+    !> From now on all bytes that are read are summed up; nothing may have been read yet.
+    pure subroutine begin_checksum(source)
+        class(source_type), intent(inout) :: source !! has its descriptor or its text
+        allocate (source%sum)
+        call source%sum%take(source%block(:source%filled))
+    end subroutine begin_checksum
+
+    !> The SHA-256 of all bytes of a source, after `begin_checksum`: what has not been read yet is
+    !> read to its end and passed over.
+    !>
+    !> Fails with `cause%file_trouble` and the system's words where the source can't be read.
+    subroutine read_checksum(source, checksum, error)
+        class(source_type), intent(inout) :: source         !! the source
+        character(64), intent(out) :: checksum              !! as `sha256sum` prints it
+        type(error_type), allocatable, intent(out) :: error !! see above
+
+        do while (.not. source%at_end)
+            call refill(source)
+        end do
+        checksum = source%sum%hex()
+        if (allocated(source%trouble)) call fail(error, cause%file_trouble, source%trouble)
+    end subroutine read_checksum
 
     !> Reads the next line.
     !>
@@ -142,6 +169,7 @@ contains
             got = c_read(source%descriptor, source%block, int(block_size, c_size_t))
             if (got < 0) source%trouble = last_error()
             source%filled = max(0_i64, int(got, i64))
+            if (allocated(source%sum)) call source%sum%take(source%block(:source%filled))
         end if
         source%at_end = source%filled == 0
     end subroutine refill

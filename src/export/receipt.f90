@@ -1,5 +1,5 @@
-!> The receipt of an export: what each entity of the file is, how far it is from the exact shape, and
-!> where. Each writer adds what it wrote; `app` prints it and puts it beside the file.
+!> The receipt of an export: what each entity of the file is, how far it is from the exact shape,
+!> and where. Each writer adds what it wrote; `app` prints it and puts it beside the file.
 module export_receipt
     use base_kinds, only: dp
     implicit none (type, external)

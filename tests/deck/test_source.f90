@@ -21,6 +21,7 @@ program test_source
     call check_file()
     call check_put_back()
     call check_trouble()
+    call check_checksum()
     call tap%finish()
 
 contains
@@ -193,6 +194,63 @@ contains
         if (allocated(error)) call tap%same(error%message, 'Is a directory', 'and that is said')
         ignored = c_fclose(stream)
     end subroutine check_trouble
+
+    !> The checksum of all bytes: none read, some, all; a file of many blocks; trouble. By
+    !> `sha256sum`.
+    subroutine check_checksum()
+        character(*), parameter :: two = &
+            '7e18f737311b2dc3b2f269dd78396b0351f14fb66efa879f768cb23181883c78'
+        character(:), allocatable :: path
+        type(source_type) :: source, closed
+        type(error_type), allocatable :: error
+        type(c_ptr) :: stream
+        character(64) :: checksum
+        integer(c_int) :: ignored
+        integer :: lines
+
+        do lines = 0, 3
+            call sum_after('a'//feed//'b', lines, two, 'a text after '//to_text(lines)//' lines')
+        end do
+        call sum_after('', 1, 'e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855', &
+            'nothing')
+        path = '/tmp/loft_test_sum_'//to_text(int(c_getpid()))
+        call write_lines(path)
+        stream = c_fopen(c_text(path), c_text('r'))
+        call source%attach(c_fileno(stream))
+        call source%begin_checksum()
+        call source%read_checksum(checksum, error)
+        call tap%same(checksum, &
+            'c0420369a4065180b9f6e80ceed895dc72a2297cec2e9f6063d2da24fe845b9c', &
+            'a file of many blocks')
+        ignored = c_fclose(stream)
+        ignored = c_unlink(c_text(path))
+        call closed%attach(999_c_int)
+        call closed%begin_checksum()
+        call closed%read_checksum(checksum, error)
+        call tap%ok(allocated(error), 'no checksum of what can''t be read')
+    end subroutine check_checksum
+
+    !> Counts the check that a text has its checksum after some lines were read.
+    subroutine sum_after(text, lines, expected, name)
+        character(*), intent(in) :: text        !! the deck
+        integer, intent(in) :: lines            !! how many are read
+        character(*), intent(in) :: expected    !! the checksum
+        character(*), intent(in) :: name        !! of the check
+        type(source_type) :: source
+        type(line_type) :: line
+        type(error_type), allocatable :: error
+        character(64) :: checksum
+        logical :: found
+        integer :: i
+
+        call source%from_text(text)
+        call source%begin_checksum()
+        do i = 1, lines
+            call source%next_line(line, found, error)
+        end do
+        call source%read_checksum(checksum, error)
+        call tap%same(checksum, expected, 'the checksum of '//name)
+    end subroutine sum_after
 
     !> The lines of a text, written with their numbers as `1:first|2:second|`.
     subroutine reads(text, expected, name)
