@@ -46,8 +46,8 @@ contains
         nodes(size(nodes)) = breaks(size(breaks))
     end function fit_nodes
 
-    !> The poles of the splines with given values at the nodes; the first and the last pole are the
-    !> first and the last value, exactly.
+    !> The poles of the splines with given values at the nodes. The first and the last pole are the
+    !> first and the last value, exactly; a value that is the same at all nodes is that of all poles.
     !>
     !> Fails with `cause%singular` where breaks are so close that their nodes are one.
     pure subroutine fit_values(breaks, degree, values, poles, error)
@@ -72,9 +72,9 @@ contains
                 band(degree + 1 + i - j, j) = row(j - span + degree + 1)
             end do
         end do
-        x = transpose(values)
+        x = transpose(values - spread(values(:, 1), 2, n))
         call solve_banded(band, degree, x, error)
-        poles = transpose(x)
+        poles = transpose(x) + spread(values(:, 1), 2, n)
         if (allocated(error)) return
         poles(:, 1) = values(:, 1)
         poles(:, n) = values(:, n)
