@@ -9,8 +9,8 @@ module app_files
     use base_error, only: cause, error_type, fail
     use base_output, only: output_type
     use base_posix, only: c_close, c_creat, c_fclose, c_fileno, c_fopen, c_getpid, c_mkdir, &
-        c_readlink, c_rename, c_text, c_truncate, c_unlink, last_error, standard_error, &
-        standard_input, standard_output
+        c_readlink, c_rename, c_text, c_truncate, c_unlink, last_error, real_path, &
+        standard_error, standard_input, standard_output
     use base_text, only: to_text
     use deck_source, only: source_type
     implicit none (type, external)
@@ -36,11 +36,15 @@ module app_files
         private
         character(:), allocatable :: final     !! the name it will have; not set: standard output
         character(:), allocatable :: unfinished !! the name it has now, where that differs
+        integer :: guard = 0                    !! of the unfinished file against signals
         integer(c_int) :: descriptor = standard_output
     contains
         procedure :: begin
+        procedure :: finish
+        procedure :: publish
         procedure :: complete
         procedure :: abandon
+        procedure :: is_device
     end type result_file_type
 
 contains
@@ -104,12 +108,12 @@ contains
             if (can_be_replaced(name)) then
                 path = name//'.part'//to_text(int(c_getpid()))
                 file%unfinished = path
-                call guard_file(path)
+                call guard_file(path, file%guard)
             end if
             file%descriptor = c_creat(c_text(path), file_mode)
             if (file%descriptor < 0) then
                 call fail(error, cause%file_trouble, name//': '//last_error())
-                if (allocated(file%unfinished)) call release_file()
+                call release_file(file%guard)
                 return
             end if
         end if
@@ -124,28 +128,50 @@ contains
         class(result_file_type), intent(inout) :: file      !! the file
         type(output_type), intent(inout) :: out             !! as `begin` had it
         type(error_type), allocatable, intent(out) :: error !! see above
+        call file%finish(out, error)
+        if (.not. allocated(error)) call file%publish(error)
+    end subroutine complete
+
+    !> Hands over all of a result; it has not yet its final name.
+    !>
+    !> Fails with `cause%file_trouble` where any part could not be written; the unfinished file is
+    !> then removed.
+    subroutine finish(file, out, error)
+        class(result_file_type), intent(inout) :: file      !! the file
+        type(output_type), intent(inout) :: out             !! as `begin` had it
+        type(error_type), allocatable, intent(out) :: error !! see above
         character(:), allocatable :: name
+        integer(c_int) :: status
 
         name = 'standard output'
         if (allocated(file%final)) name = file%final
         call out%flush(error)
         if (allocated(error)) then
             error%message = name//': '//error%message
+        else if (allocated(file%final)) then
+            status = c_close(file%descriptor)
+            if (status < 0) call fail(error, cause%file_trouble, name//': '//last_error())
+            file%descriptor = standard_output
+        end if
+        if (allocated(error)) call file%abandon()
+    end subroutine finish
+
+    !> Gives a finished result its final name.
+    !>
+    !> Fails with `cause%file_trouble`; the unfinished file is then removed.
+    subroutine publish(file, error)
+        class(result_file_type), intent(inout) :: file      !! after `finish`
+        type(error_type), allocatable, intent(out) :: error !! see above
+
+        if (.not. allocated(file%unfinished)) return
+        if (c_rename(c_text(file%unfinished), c_text(file%final)) < 0) then
+            call fail(error, cause%file_trouble, file%final//': '//last_error())
             call file%abandon()
             return
         end if
-        if (.not. allocated(file%final)) return
-        if (c_close(file%descriptor) < 0) then
-            call fail(error, cause%file_trouble, name//': '//last_error())
-        else if (allocated(file%unfinished)) then
-            if (c_rename(c_text(file%unfinished), c_text(name)) < 0) then
-                call fail(error, cause%file_trouble, name//': '//last_error())
-            end if
-        end if
-        file%descriptor = standard_output
-        if (allocated(error)) call file%abandon()
-        if (allocated(file%unfinished)) call release_file()
-    end subroutine complete
+        call release_file(file%guard)
+        deallocate (file%unfinished)
+    end subroutine publish
 
     !> Gives a result up: what was written is removed, what had the name before stays.
     subroutine abandon(file)
@@ -155,8 +181,18 @@ contains
         file%descriptor = standard_output
         if (.not. allocated(file%unfinished)) return
         ignored = c_unlink(c_text(file%unfinished))
-        call release_file()
+        call release_file(file%guard)
+        deallocate (file%unfinished)
     end subroutine abandon
+
+    !> True for a result that is no regular file, nor a link: a device or FIFO, or standard output.
+    !> It has no folder in which anything could stand beside it.
+    logical function is_device(file)
+        class(result_file_type), intent(in) :: file !! begun
+        is_device = .not. allocated(file%final)
+        if (is_device .or. allocated(file%unfinished)) return
+        is_device = .not. can_be_replaced(real_path(file%final))
+    end function is_device
 
     !> True where a name is free or a regular file's, which a rename may replace. Only a regular
     !> file has a length that can be set (here to what it is), and only a link can be read as one.

@@ -30,11 +30,11 @@ contains
         type(error_type), allocatable, intent(out) :: error !! see above
         character(:), allocatable :: picture, unfinished
         integer(c_int) :: ignored
-        integer :: status, length
+        integer :: status, length, guard
 
         picture = name//'.'//format
         unfinished = picture//'.part'//to_text(int(c_getpid()))
-        call guard_file(folder//'/'//unfinished)
+        call guard_file(folder//'/'//unfinished, guard)
         status = shell_status('cd '//folder_word(folder)// &
             ' && gnuplot -d -e "format='''//format//'''; output='''//unfinished//'''" '//name// &
             '.gp </dev/null >/dev/null')
@@ -46,7 +46,7 @@ contains
             call fail(error, cause%file_trouble, folder//'/'//picture//': '//last_error())
         end if
         if (allocated(error)) ignored = c_unlink(c_text(folder//'/'//unfinished))
-        call release_file()
+        call release_file(guard)
     end subroutine draw
 
     !> Runs a line of shell; its exit status, or -1 where there is no shell.
