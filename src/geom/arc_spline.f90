@@ -1,10 +1,11 @@
 !> A conic arc as a rational B-spline, exactly: of degree 2 with weights above zero, a straight line
 !> of degree 1.
 !>
-!> Where the weight of an arc is small or negative its pole is far away or on the other side; such
-!> an arc is parted at its shoulder, and its halves too, until no weight is below `least_weight`.
-!> Both halves of an arc of weight w have the weight sqrt((1 + w)/2). The pole between two places
-!> a1 : b1 and a2 : b2 is the polar form of `geom_arc`'s equation,
+!> Where the weight of an arc is small or negative its pole is far away or on the other side; where
+!> it is large nearly all parameters crowd at the shoulder. Such an arc is parted at its shoulder,
+!> and its halves too, until the weight is between `least_weight` and `most_weight`. Both halves of
+!> an arc of weight w have the weight sqrt((1 + w)/2). The pole between two places a1 : b1 and
+!> a2 : b2 is the polar form of `geom_arc`'s equation,
 !>
 !>     p = m + ((a1 b2 + a2 b1) g + (b1 b2 - a1 a2) h)/((a1 - b1)(a2 - b2) + (a1 b2 + a2 b1) q)
 !>
@@ -29,6 +30,8 @@ module geom_arc_spline
     !> An arc of less weight is parted: its poles would be far off, which some readers of files
     !> take badly. An arc that turns by 157 degrees of a circle has it.
     real(dp), parameter :: least_weight = 0.2_dp
+    !> An arc of more weight is parted: a hyperbola of rho above .95.
+    real(dp), parameter :: most_weight = 20.0_dp
 
 contains
 
@@ -73,7 +76,8 @@ contains
 
         places = [at_start, at_finish]
         fullness = arc%fullness
-        do while (to_real(fullness) < 1.0_dp + least_weight)
+        do while (to_real(fullness) < 1.0_dp + least_weight .or. &
+            to_real(fullness) > 1.0_dp + most_weight)
             allocate (finer(2*size(places) - 1))
             finer(1::2) = places
             do i = 1, size(places) - 1
