@@ -64,6 +64,7 @@ module export_drawing
         type(plane_type) :: plane               !! lengths in the unit of the drawing
         real(dp) :: skin = 0.0_dp               !! thickness asked for; 0: none
         integer :: quantity = 1                 !! pieces a body needs
+        logical :: is_flange_forward = .false.  !! the side of its flange, as the cut has it
         logical :: is_half = .false.            !! its mirror image in BL 0 belongs to the piece
         type(contour_type), allocatable :: contours(:)
     end type shape_type
