@@ -86,15 +86,17 @@ contains
         integer :: last(2)
 
         last = shape(f%weight)
+        ! Rows stand in parentheses, or gfortran 12 takes what stands behind their first element.
         select case (side)
         case (surface_side%v_from)
             edge = bspline_type(f%degree(1), f%u_knot, f%pole(:, :, 1), f%weight(:, 1))
         case (surface_side%u_to)
-            edge = bspline_type(f%degree(2), f%v_knot, f%pole(:, last(1), :), f%weight(last(1), :))
+            edge = bspline_type(f%degree(2), f%v_knot, (f%pole(:, last(1), :)), &
+                (f%weight(last(1), :)))
         case (surface_side%v_to)
             edge = bspline_type(f%degree(1), f%u_knot, f%pole(:, :, last(2)), f%weight(:, last(2)))
         case default
-            edge = bspline_type(f%degree(2), f%v_knot, f%pole(:, 1, :), f%weight(1, :))
+            edge = bspline_type(f%degree(2), f%v_knot, (f%pole(:, 1, :)), (f%weight(1, :)))
         end select
     end function edge_spline
 
