@@ -26,6 +26,7 @@ module base_error
         integer :: singular = 20           !! a linear system has no unique solution
         integer :: no_convergence = 21     !! an iteration did not reach its tolerance
         integer :: checks_off = 22         !! solved, but its solution misses the conditions
+        integer :: too_few = 23            !! fewer points than the curve takes
         integer :: overflow = 30           !! exponent overflow of a System/360 number
         integer :: underflow = 31          !! exponent underflow of a System/360 number
         integer :: divide = 32             !! division by zero in System/360 arithmetic

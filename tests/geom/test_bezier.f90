@@ -1,5 +1,6 @@
 !> Bezier curves: the acceptance facts of seed 001, and what holds of every curve.
 program test_bezier
+    use base_constants, only: pi
     use base_kinds, only: dp
     use geom_bezier, only: bernstein, bezier_derivative, bezier_from_sides, bezier_jet, &
         bezier_part, bezier_point, bezier_raised, bezier_sides, bezier_split
@@ -69,7 +70,7 @@ contains
         call tap%near(sum, 1.37925031497083_dp, 1.0e-14_dp, 'Bernstein approximation of exp')
         sum = 0.0_dp
         do i = 0, 10
-            sum = sum + sin(3.14159265358979323846_dp*real(i, dp)/10.0_dp)*bernstein(10, i, 0.25_dp)
+            sum = sum + sin(pi*real(i, dp)/10.0_dp)*bernstein(10, i, 0.25_dp)
         end do
         call tap%near(sum, 0.641405242767585_dp, 1.0e-15_dp, 'Bernstein approximation of sin')
     end subroutine check_bernstein
