@@ -30,6 +30,9 @@ CHECKS  := $(foreach t,$(TESTS),$(if $(filter test_%,$(notdir $t)),$(t:%.f90=$(B
 SCRIPTS := $(sort $(shell find tests -name '*.t'))
 BENCHES := $(patsubst %.f90,$(B)/%,$(filter tests/bench/%,$(TESTS)))
 BOOK    := $(B)/tests/book/book
+# The outside judges of exported files; they judge what the release build writes.
+JUDGES  := $(BUILD)/judges
+UNJUDGED := $(if $(filter release,$(MODE)),,tests/judges/%)
 JOBS    := $(shell getconf _NPROCESSORS_ONLN)
 
 PREFIX := /usr/local
@@ -39,7 +42,7 @@ PLOTS  := $(BUILD)/plots
 MAKEFLAGS += --no-print-directory
 
 .DELETE_ON_ERROR:
-.PHONY: all debug programs objects deps demo check test lint golden book plot pictures bench graph install clean help
+.PHONY: all debug programs objects deps deps-test demo check test lint golden book plot pictures bench graph install clean help
 
 all: $(LOFT)                        ## builds build/loft (DEBUG=1: build/debug/loft)
 	@:
@@ -76,6 +79,9 @@ programs: $(LOFT) $(TESTS:%.f90=$(B)/%)
 
 deps:                               ## installs what is missing (DEPS=yes allows sudo)
 	@DEPS=$(DEPS) FC=$(FC) sh tests/make/deps.sh
+
+deps-test:                          ## installs the judges of exported files (into build/judges)
+	@DEPS=$(DEPS) sh tests/make/deps-test.sh $(JUDGES)
 
 demo: deps                          ## sets up, builds, runs the deck of 1970, compares, draws
 	@$(MAKE) all $(BOOK)
@@ -120,8 +126,11 @@ check: deps                         ## sets up, builds, lints and runs all tests
 test: $(LOFT) $(CHECKS) $(BOOK)     ## runs all tests of one build
 	$(if $(CHECKS),,$(error there are no test programs))
 	@echo "== tests of the $(MODE) build"
-	@LOFT=$(abspath $(LOFT)) ROOT=$(CURDIR) \
-	    prove --jobs $(JOBS) --failures --comments --exec '' $(CHECKS) $(SCRIPTS)
+	@LOFT=$(abspath $(LOFT)) ROOT=$(CURDIR) JUDGES=$(abspath $(JUDGES)) \
+	    prove --jobs $(JOBS) --failures --comments --exec '' \
+	    $(CHECKS) $(filter-out $(UNJUDGED),$(SCRIPTS))
+	@[ -x $(JUDGES)/bin/python ] || [ $(MODE) != release ] || \
+	    echo "*** JUDGES SKIPPED: no outside program has read an exported file; make deps-test ***"
 
 lint:                               ## reads all sources: compiler warnings, layers, style
 	@$(MAKE) MODE=lint objects
@@ -157,5 +166,5 @@ clean:                              ## removes build/
 	rm -rf $(BUILD)
 
 help:                               ## says this
-	@sed -n 's/^\([a-z]*\):[^#]*## \(.*\)/make \1 \2/p' Makefile | \
-	    $(AWK) '{ target = $$2; sub(/^make [a-z]* /, ""); printf "make %-8s %s\n", target, $$0 }'
+	@sed -n 's/^\([a-z-]*\):[^#]*## \(.*\)/make \1 \2/p' Makefile | \
+	    $(AWK) '{ target = $$2; sub(/^make [a-z-]* /, ""); printf "make %-9s %s\n", target, $$0 }'

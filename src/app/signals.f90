@@ -71,7 +71,7 @@ contains
         integer(c_int) :: ignored
         integer :: i
         do i = 1, used
-            if (unfinished(1, i) /= c_null_char) ignored = c_unlink(unfinished(:, i))
+            if (unfinished(1, i) /= c_null_char) ignored = c_unlink(unfinished(1, i))
         end do
         before = c_signal(number, c_null_funptr)
         ignored = c_raise(number)

@@ -9,7 +9,7 @@ module base_posix
     private
 
     public :: c_fopen, c_fileno, c_fclose, c_read, c_write, c_creat, c_close, c_rename, c_unlink
-    public :: c_truncate, c_readlink, c_mkdir, c_getpid, c_signal, c_raise
+    public :: c_truncate, c_readlink, c_mkdir, c_getpid, c_signal, c_raise, c_alarm, c_isatty
     public :: c_text, last_error, real_path
 
     !> Descriptor of standard input.
@@ -129,6 +129,18 @@ module base_posix
             import :: c_int
             integer(c_int), value :: number !! which signal
         end function c_raise
+
+        !> Asks for the alarm signal after some seconds; 0 takes an alarm back. Seconds left before.
+        integer(c_int) function c_alarm(seconds) bind(c, name='alarm')
+            import :: c_int
+            integer(c_int), value :: seconds !! not negative
+        end function c_alarm
+
+        !> 1 where a descriptor is a terminal.
+        integer(c_int) function c_isatty(descriptor) bind(c, name='isatty')
+            import :: c_int
+            integer(c_int), value :: descriptor !! any
+        end function c_isatty
 
         !> The runtime's copy of C's `errno`, which is a macro and so has no name of its own.
         integer(c_int) function error_number() bind(c, name='_gfortran_ierrno_i4')
