@@ -27,7 +27,7 @@ module app_computed_body
     implicit none (type, external)
     private
 
-    public :: computed_body_type, compute_body, judge_body
+    public :: computed_body_type, compute_body, judge_body, cut_body
 
     !> A body and what was asked of it.
     type :: computed_body_type
@@ -69,11 +69,21 @@ contains
         type(computed_body_type), intent(out) :: computed       !! what came out
         type(fault_list_type), intent(inout) :: faults          !! what is wrong is added
 
+        call cut_body(job, number, computed, faults)
+        call check_components(job%body(number), computed, faults)
+    end subroutine judge_body
+
+    !> Builds a body, looks how its sections meet, and cuts it.
+    subroutine cut_body(job, number, computed, faults)
+        type(job_type), intent(in) :: job                       !! what the deck asks for
+        integer, intent(in) :: number                           !! which of its bodies
+        type(computed_body_type), intent(out) :: computed       !! body, joints, ring and cuts
+        type(fault_list_type), intent(inout) :: faults          !! what is wrong is added
+
         call cuts_of_body(job, number, computed, faults)
         computed%ring = ring_of(computed%body)
         call warn_of_ring(job%body(number), computed%body, computed%ring, faults)
-        call check_components(job%body(number), computed, faults)
-    end subroutine judge_body
+    end subroutine cut_body
 
     !> Builds a body and cuts it; no measures, no tables. A body without sections is not cut: why it
     !> has none has been said.

@@ -1,14 +1,15 @@
 !> A deck named on the command line, opened and read as far as the card that says what kind it is.
 module app_input
     use app_files, only: deck_file_type
-    use base_error, only: error_type
+    use base_error, only: cause, error_type, fail
     use base_fault, only: fault_list_type
+    use base_posix, only: real_path
     use deck_kind, only: opening_type, read_opening
     use deck_source, only: source_type
     implicit none (type, external)
     private
 
-    public :: deck_input_type, open_input, close_input
+    public :: deck_input_type, open_input, close_input, spare_deck
 
     !> A deck being read.
     type :: deck_input_type
@@ -16,6 +17,7 @@ module app_input
         type(deck_file_type) :: file        !! the file
         type(source_type) :: source         !! its lines; the next is the deciding card
         type(opening_type) :: opening       !! its kind, and what TITLE and UNITS said
+        logical :: has_checksum = .false.   !! its bytes are summed up; set before it is opened
     end type deck_input_type
 
 contains
@@ -32,6 +34,7 @@ contains
         input%name = name
         call input%file%open(name, input%source, error)
         if (allocated(error)) return
+        if (input%has_checksum) call input%source%begin_checksum()
         call read_opening(input%source, input%opening, faults, error)
         if (allocated(error)) error%message = name//': '//error%message
     end subroutine open_input
@@ -41,5 +44,17 @@ contains
         type(deck_input_type), intent(inout) :: input !! the deck
         call input%file%close()
     end subroutine close_input
+
+    !> Refuses a result that would take the place of its deck, whatever names the two have.
+    subroutine spare_deck(deck, output, error)
+        character(*), intent(in) :: deck                    !! as the user gave it; it is there
+        character(*), intent(in) :: output                  !! as the user gave it; may be empty
+        type(error_type), allocatable, intent(out) :: error !! `cause%usage`
+
+        if (deck == '-' .or. output == '' .or. output == '-') return
+        if (real_path(output) == real_path(deck)) then
+            call fail(error, cause%usage, '-o '//output//' would replace the deck')
+        end if
+    end subroutine spare_deck
 
 end module app_input

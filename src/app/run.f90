@@ -1,15 +1,14 @@
 !> `loft run`: a deck in, its tables out.
 module app_run
     use app_files, only: result_file_type
-    use app_input, only: close_input, deck_input_type, open_input
+    use app_input, only: close_input, deck_input_type, open_input, spare_deck
     use app_options, only: options_type
     use app_run_body, only: run_body_deck
     use app_run_conics, only: run_conics
     use app_status, only: status
-    use base_error, only: cause, error_type, fail
+    use base_error, only: error_type
     use base_fault, only: fault_list_type
     use base_output, only: output_type
-    use base_posix, only: real_path
     use deck_kind, only: deck_kind_of
     use report_fault, only: print_faults
     implicit none (type, external)
@@ -58,17 +57,5 @@ contains
         end if
         if (.not. allocated(error)) exit_status = status_of_run
     end subroutine run_deck
-
-    !> Refuses a result that would take the place of its deck, whatever names the two have.
-    subroutine spare_deck(deck, output, error)
-        character(*), intent(in) :: deck                    !! as the user gave it; it is there
-        character(*), intent(in) :: output                  !! as the user gave it; may be empty
-        type(error_type), allocatable, intent(out) :: error !! `cause%usage`
-
-        if (deck == '-' .or. output == '' .or. output == '-') return
-        if (real_path(output) == real_path(deck)) then
-            call fail(error, cause%usage, '-o '//output//' would replace the deck')
-        end if
-    end subroutine spare_deck
 
 end module app_run
