@@ -119,8 +119,8 @@ contains
         back%weight = s%weight(poles:1:-1)
     end function reversed_spline
 
-    !> The image of a spline: each point p becomes `matrix p + shift`, in as many dimensions as these
-    !> have rows.
+    !> The image of a spline: each point p becomes `matrix p + shift`, in as many dimensions as
+    !> these have rows.
     pure subroutine mapped_spline(s, matrix, shift, mapped)
         type(bspline_type), intent(in) :: s         !! any spline
         real(dp), intent(in) :: matrix(:, :)        !! shape (new dimensions, dimensions)

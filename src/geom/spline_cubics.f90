@@ -33,7 +33,13 @@ module geom_spline_cubics
     !> Order of the error.
     real(dp), parameter :: order = 6.0_dp
 
-    !> A stretch of a spline, sampled, and the Bezier arc that stands for it.
+    !> A Bezier arc.
+    type :: cubic_type
+        real(dp) :: control(2, 4) = 0.0_dp  !! control points, deck units
+        real(dp) :: miss = 0.0_dp           !! its distance from the spline, measured
+    end type cubic_type
+
+    !> A stretch of a spline, sampled, and the handles of the arc that stands for it.
     type :: stretch_type
         real(dp) :: from = 0.0_dp                   !! parameter
         real(dp) :: to = 0.0_dp                     !! parameter
@@ -56,7 +62,8 @@ contains
         real(dp), allocatable, intent(out) :: control(:, :, :)  !! shape (2, 4, arcs), deck units
         real(dp), intent(out) :: largest                        !! deck units
         type(bspline_type) :: piece
-        real(dp) :: from, step, next, miss, arc(2, 4)
+        type(cubic_type) :: arc
+        real(dp) :: from, step, next
         integer :: count, first, last
 
         allocate (control(2, 4, size(spline%weight)))
@@ -69,9 +76,9 @@ contains
             from = spline_from(piece)
             step = spline_to(piece) - from
             do while (from < spline_to(piece))
-                call find_next(piece, from, tolerance, step, next, arc, miss)
-                largest = max(largest, miss)
-                call append(control, count, arc)
+                call find_next(piece, from, tolerance, step, next, arc)
+                largest = max(largest, arc%miss)
+                call append(control, count, arc%control)
                 from = next
             end do
             first = last
@@ -80,14 +87,13 @@ contains
     end subroutine cubics_of
 
     !> The longest arc from a place; `step` is what is tried, and then what was good.
-    pure subroutine find_next(piece, from, tolerance, step, next, arc, miss)
+    pure subroutine find_next(piece, from, tolerance, step, next, arc)
         type(bspline_type), intent(in) :: piece !! without corners
         real(dp), intent(in) :: from            !! where the arc begins
         real(dp), intent(in) :: tolerance       !! deck units
         real(dp), intent(inout) :: step         !! see above
         real(dp), intent(out) :: next           !! where it ends
-        real(dp), intent(out) :: arc(2, 4)      !! its control points
-        real(dp), intent(out) :: miss           !! its distance from the spline
+        type(cubic_type), intent(out) :: arc    !! the arc
         real(dp) :: limit, factor
         integer :: trial
 
@@ -95,23 +101,21 @@ contains
         do trial = 1, most_trials + digits(step)
             next = min(from + step, limit)
             if (next >= limit) step = limit - from
-            call fit_arc(piece, from, next, arc, miss)
-            factor = (aim*tolerance/max(miss, tolerance*ulp))**(1.0_dp/order)
+            arc = best_arc(piece, from, next)
+            factor = (aim*tolerance/max(arc%miss, ulp*tolerance))**(1.0_dp/order)
             if (trial > most_trials) factor = min(0.5_dp, factor)
-            if (miss <= aim*tolerance .and. (next >= limit .or. miss >= enough*aim*tolerance .or. &
-                trial >= most_trials)) exit
+            if (arc%miss <= aim*tolerance .and. (next >= limit .or. trial >= most_trials .or. &
+                arc%miss >= enough*aim*tolerance)) exit
             if (.not. from + factor*step > from) exit
             step = factor*step
         end do
     end subroutine find_next
 
-    !> The best arc for a stretch, and its distance from it.
-    pure subroutine fit_arc(piece, from, to, arc, miss)
+    !> The best arc for a stretch.
+    pure type(cubic_type) function best_arc(piece, from, to) result(arc)
         type(bspline_type), intent(in) :: piece !! without corners
         real(dp), intent(in) :: from            !! where the stretch begins
         real(dp), intent(in) :: to              !! where it ends
-        real(dp), intent(out) :: arc(2, 4)      !! its control points
-        real(dp), intent(out) :: miss           !! deck units
         type(stretch_type) :: stretch
         real(dp) :: foot(2), across(2)
         integer :: i
@@ -120,15 +124,14 @@ contains
         do i = 1, rounds
             call improve(piece, stretch)
         end do
-        arc = control_of(stretch)
-        miss = 0.0_dp
+        arc%control = control_of(stretch)
         do i = 1, arc_points
-            associate (p => bezier(arc, real(i, dp)/real(arc_points + 1, dp)))
+            associate (p => bezier(arc%control, real(i, dp)/real(arc_points + 1, dp)))
                 call find_foot(piece, stretch, p, foot, across)
-                miss = max(miss, norm2(p - foot))
+                arc%miss = max(arc%miss, norm2(p - foot))
             end associate
         end do
-    end subroutine fit_arc
+    end function best_arc
 
     !> Samples a stretch; its handles are a third of its length.
     pure subroutine sample(piece, from, to, stretch)
@@ -203,7 +206,8 @@ contains
         real(dp) :: t, first(2), second(2), slope
         integer :: i
 
-        t = stretch%t(minloc((stretch%at(1, :) - p(1))**2 + (stretch%at(2, :) - p(2))**2, dim=1) - 1)
+        i = minloc((stretch%at(1, :) - p(1))**2 + (stretch%at(2, :) - p(2))**2, dim=1)
+        t = stretch%t(i - 1)
         do i = 0, foot_steps
             call spline_jet(piece, t, foot, first, second)
             if (i == foot_steps) exit

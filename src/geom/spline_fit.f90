@@ -6,7 +6,7 @@
 !> Source: C. de Boor, "A Practical Guide to Splines", revised ed., Springer 2001, chapter XIII,
 !> theorem of Schoenberg and Whitney.
 module geom_spline_fit
-    use base_error, only: error_type
+    use base_error, only: cause, error_type, fail
     use base_kinds, only: dp
     use geom_bspline_basis, only: basis, span_of
     use geom_lapack, only: solve_banded
@@ -47,9 +47,9 @@ contains
     end function fit_nodes
 
     !> The poles of the splines with given values at the nodes. The first and the last pole are the
-    !> first and the last value, exactly; a value that is the same at all nodes is that of all poles.
+    !> first and the last value, exactly; what is the same at all nodes is so at all poles.
     !>
-    !> Fails with `cause%singular` where breaks are so close that their nodes are one.
+    !> Fails with `cause%singular` where breaks do not rise, or are so close that nodes are one.
     pure subroutine fit_values(breaks, degree, values, poles, error)
         real(dp), intent(in) :: breaks(:)                   !! rising, two or more
         integer, intent(in) :: degree                       !! 1 or more
@@ -61,6 +61,11 @@ contains
         real(dp) :: x(size(values, 2), size(values, 1)), row(degree + 1)
         integer :: span, i, j, n
 
+        poles = 0.0_dp
+        if (.not. all(breaks(2:) > breaks(:size(breaks) - 1))) then
+            call fail(error, cause%singular, 'the breaks of a spline do not rise')
+            return
+        end if
         n = size(nodes)
         knots = fit_knots(breaks, degree)
         nodes = fit_nodes(breaks, degree)

@@ -42,7 +42,8 @@ contains
         do i = 2, size(breaks)
             step = breaks(i) - breaks(i - 1)
             do while (t(count) < breaks(i))
-                call find_next(spline, t(count), breaks(i), tolerance, step, next, miss)
+                next = breaks(i)
+                call find_next(spline, t(count), tolerance, step, next, miss)
                 largest = max(largest, miss)
                 call append(t, count, next)
             end do
@@ -51,22 +52,22 @@ contains
     end subroutine polygon_of
 
     !> The end of the longest chord from a place; `step` is what is tried, and then what was good.
-    pure subroutine find_next(spline, from, limit, tolerance, step, next, miss)
+    pure subroutine find_next(spline, from, tolerance, step, next, miss)
         type(bspline_type), intent(in) :: spline    !! any spline
         real(dp), intent(in) :: from                !! where the chord begins
-        real(dp), intent(in) :: limit               !! where it ends at the latest
         real(dp), intent(in) :: tolerance           !! deck units
         real(dp), intent(inout) :: step             !! see above
-        real(dp), intent(out) :: next               !! where it ends
+        real(dp), intent(inout) :: next             !! where it ends at the latest, and then does
         real(dp), intent(out) :: miss               !! its distance from the spline
-        real(dp) :: factor
+        real(dp) :: limit, factor
         integer :: trial
 
+        limit = next
         do trial = 1, most_trials + digits(step)
             next = min(from + step, limit)
             if (next >= limit) step = limit - from
             miss = distance(spline, from, next)
-            factor = sqrt(aim*tolerance/max(miss, tolerance*ulp))
+            factor = sqrt(aim*tolerance/max(miss, ulp*tolerance))
             if (trial > most_trials) factor = min(0.5_dp, factor)
             if (miss <= aim*tolerance .and. (next >= limit .or. miss >= enough*aim*tolerance .or. &
                 trial >= most_trials)) exit

@@ -14,7 +14,8 @@ program test_arc_spline
 
     type(tap_type) :: tap
     !> Weights from nearly a whole ellipse to nearly a corner, and the pieces they take.
-    real(dp), parameter :: weights(13) = [-1.0_dp + 1.0e-9_dp, -0.999_dp, -0.5_dp, 0.0_dp, 1.0e-9_dp, &
+    real(dp), parameter :: weights(13) = [-1.0_dp + 1.0e-9_dp, -0.999_dp, -0.5_dp, 0.0_dp, &
+        1.0e-9_dp, &
         0.1999_dp, 0.2001_dp, 0.5_dp, 1.0_dp, 3.0_dp, 19.9_dp, 21.0_dp, 1.0e6_dp]
     integer, parameter :: pieces(13) = [4, 4, 2, 2, 2, 2, 1, 1, 1, 1, 1, 2, 4]
     type(bspline_type) :: s
@@ -67,8 +68,10 @@ contains
         s = arc_spline(arc)
         call tap%ok(size(s%weight) == 2*pieces + 1 .and. s%degree == 2, name//': its pieces')
         call tap%ok(all(s%weight > 0.2_dp) .and. all(s%weight < 20.0_dp), name//': mild weights')
-        call tap%ok(all(s%pole(:, 1) == arc%start) .and. all(spline_point(s, 1.0_dp) == arc%finish), &
+        call tap%ok(all(s%pole(:, 1) == arc%start) .and. all(spline_point(s, &
+            1.0_dp) == arc%finish), &
             name//': its ends are as given')
+        allocate (places(2))
         places = [at_start, at_finish]
         do while (size(places) <= pieces)
             allocate (finer(2*size(places) - 1))
@@ -96,8 +99,10 @@ contains
         integer :: i
         smooth = .true.
         do i = 3, size(s%weight) - 2, 2
-            smooth = smooth .and. all(abs(s%pole(:, i - 1) - 2.0_dp*s%pole(:, i) + s%pole(:, i + 1)) &
-                <= 4.0_dp*spacing(maxval(abs(s%pole)))) .and. abs(s%weight(i - 1) - s%weight(i + 1)) <= 8.0_dp*ulp
+            smooth = smooth .and. all(abs(s%pole(:, i - 1) - 2.0_dp*s%pole(:, i) + s%pole(:, i + &
+                1)) &
+                <= 4.0_dp*spacing(maxval(abs(s%pole)))) .and. abs(s%weight(i - 1) - s%weight(i + &
+                1)) <= 8.0_dp*ulp
         end do
     end function smooth
 

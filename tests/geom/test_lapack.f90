@@ -2,13 +2,13 @@
 program test_lapack
     use base_error, only: cause, error_type
     use base_kinds, only: dp
-    use geom_lapack, only: solve
+    use geom_lapack, only: solve, solve_banded
     use support_tap, only: tap_type
     implicit none (type, external)
 
     type(tap_type) :: tap
     type(error_type), allocatable :: error
-    real(dp) :: a(2, 2), hilbert(4, 4), x(2), y(4), rcond
+    real(dp) :: band(4, 5), both(5, 2), a(2, 2), hilbert(4, 4), x(2), y(4), rcond
     integer :: i, j
 
     a(1, :) = [0.0_dp, 2.0_dp]
@@ -38,5 +38,40 @@ program test_lapack
     a(2, :) = [2.0_dp, 4.0_dp*(1.0_dp + epsilon(1.0_dp))]
     call solve(a, [1.0_dp, 1.0_dp], x, rcond, error)
     call tap%ok(allocated(error), 'so is one singular to working precision')
+
+    ! Two diagonals above, one below; the first pivot is zero, so that rows are exchanged.
+    band(1, :) = [0.0_dp, 0.0_dp, 1.0_dp, 2.0_dp, 3.0_dp]
+    band(2, :) = [0.0_dp, 4.0_dp, 5.0_dp, 6.0_dp, 7.0_dp]
+    band(3, :) = [0.0_dp, 9.0_dp, 8.0_dp, 7.0_dp, 6.0_dp]
+    band(4, :) = [2.0_dp, 3.0_dp, 4.0_dp, 5.0_dp, 0.0_dp]
+    both(:, 1) = [11.0_dp, 43.0_dp, 69.0_dp, 75.0_dp, 50.0_dp]
+    both(:, 2) = [0.0_dp, 2.0_dp, 0.0_dp, 0.0_dp, 0.0_dp]
+    call solve_banded(band, 1, both, error)
+    call tap%ok(.not. allocated(error), 'a banded system is solved')
+    call tap%ok(all(abs(both(:, 1) - [1.0_dp, 2.0_dp, 3.0_dp, 4.0_dp, 5.0_dp]) < 1.0e-13_dp), &
+        'its solution is 1 to 5')
+    call tap%ok(norm2(matmul(whole(band), both(:, 2)) - [0.0_dp, 2.0_dp, 0.0_dp, 0.0_dp, &
+        0.0_dp]) < &
+        1.0e-14_dp, 'so is another with the same matrix')
+    band(:, 3) = 0.0_dp
+    call solve_banded(band, 1, both, error)
+    call tap%ok(allocated(error), 'one with a column of zeros is refused')
+    call tap%ok(all(both == 0.0_dp), '... and leaves zeros')
     call tap%finish()
+
+contains
+
+    !> The matrix of a band with two diagonals above and one below.
+    function whole(band) result(matrix)
+        real(dp), intent(in) :: band(4, 5)  !! its diagonals
+        real(dp) :: matrix(5, 5)
+        integer :: m, n
+        matrix = 0.0_dp
+        do n = 1, 5
+            do m = max(1, n - 2), min(5, n + 1)
+                matrix(m, n) = band(3 + m - n, n)
+            end do
+        end do
+    end function whole
+
 end program test_lapack
