@@ -20,6 +20,7 @@ module body_offset
     private
 
     public :: foot_type, foot_at, way_inside, steepest_curvature, parallel_curvature
+    public :: settle_inside, is_on_section
 
     !> A point of the outside of the skin.
     type :: foot_type
@@ -159,7 +160,7 @@ contains
         if (is_found) foot = trial
     end subroutine way_inside
 
-    !> Newton's method on one section, also beyond its edges.
+    !> Newton's method on one section, also beyond its edges, the thickness brought up in steps.
     pure subroutine approach(body, thickness, way, from, foot, is_found)
         type(body_type), intent(in) :: body         !! finished, both halves
         real(dp), intent(in) :: thickness           !! t, deck units
@@ -167,27 +168,41 @@ contains
         real(dp), intent(in) :: from(3)             !! where the way begins, deck units
         type(foot_type), intent(inout) :: foot      !! about there; then Q
         logical, intent(out) :: is_found            !! it converged
-        type(foot_type) :: next
-        real(dp) :: t, move(3), least
-        integer :: stage, i
+        integer :: stage
 
+        is_found = .true.
         do stage = 1, stages
-            t = thickness*real(stage, dp)/real(stages, dp)
-            least = huge(1.0_dp)
-            do i = 1, most_steps
-                is_found = t*steepest_curvature(foot) < 1.0_dp
-                if (.not. is_found) return
-                move = step_of(foot, t, from, way)
-                call foot_at(body, foot%section, foot%at + move, foot%normal, next, is_found)
-                if (.not. is_found) return
-                foot = next
-                if (norm2(move) >= 0.5_dp*least .and. least <= 1.0e-9_dp*thickness) exit
-                least = norm2(move)
-            end do
-            is_found = least <= 1.0e-9_dp*thickness
+            call settle_inside(body, thickness*real(stage, dp)/real(stages, dp), way, from, foot, &
+                is_found)
             if (.not. is_found) return
         end do
     end subroutine approach
+
+    !> Newton's method on one section, also beyond its edges, from a foot that is near to Q.
+    pure subroutine settle_inside(body, thickness, way, from, foot, is_found)
+        type(body_type), intent(in) :: body         !! finished, both halves
+        real(dp), intent(in) :: thickness           !! t, deck units
+        real(dp), intent(in) :: way(3)              !! unit vector inwards
+        real(dp), intent(in) :: from(3)             !! where the way begins, deck units
+        type(foot_type), intent(inout) :: foot      !! near to Q; then Q
+        logical, intent(out) :: is_found            !! it converged
+        type(foot_type) :: next
+        real(dp) :: move(3), least
+        integer :: i
+
+        least = huge(1.0_dp)
+        do i = 1, most_steps
+            is_found = thickness*steepest_curvature(foot) < 1.0_dp
+            if (.not. is_found) return
+            move = step_of(foot, thickness, from, way)
+            call foot_at(body, foot%section, foot%at + move, foot%normal, next, is_found)
+            if (.not. is_found) return
+            foot = next
+            if (norm2(move) >= 0.5_dp*least .and. least <= 1.0e-9_dp*thickness) exit
+            least = norm2(move)
+        end do
+        is_found = least <= 1.0e-9_dp*thickness
+    end subroutine settle_inside
 
     !> Newton's step of Q along the skin: Q - t n + (dQ - t W dQ) = from + s way.
     pure function step_of(foot, t, from, way) result(step)

@@ -53,6 +53,7 @@ module export_drawing
         logical :: is_inside = .false.                  !! of the inside of the skin
         type(curve_type), allocatable :: curves(:)      !! in order; none: a point
         type(mark_type), allocatable :: marks(:)        !! bevels, in order along it
+        real(dp) :: at(3) = 0.0_dp                      !! of a point: STA, BL, WL
     end type contour_type
 
     !> A cut, a control line or a card.

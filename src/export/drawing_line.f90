@@ -1,0 +1,299 @@
+!> The shape of a control line in space: one curve between any two of its joints.
+!>
+!> A view is one conic arc between joints. The line is that conic, exactly, where its other view is
+!> constant or straight, or is a conic of the same weight over the same stations: an affine image of
+!> the first. Any other line is fitted.
+module export_drawing_line
+    use base_error, only: error_type
+    use base_exact, only: is_equal
+    use base_kinds, only: dp
+    use base_tolerances, only: agreement_ulps, meeting_tolerance, type_tolerance, ulp
+    use body_line, only: line_type
+    use cut_plane, only: buttock_plane
+    use export_drawing, only: contour_type, curve_type, shape_kind, shape_type
+    use export_drawing_conic, only: distance_off
+    use export_drawing_fit, only: fitted_curve
+    use export_drawing_join, only: gap_between, join, last_point
+    use export_drawing_name, only: safe_name
+    use export_drawing_path, only: paced, pace_of
+    use geom_arc, only: arc_type
+    use geom_arc_point, only: point, tangent
+    use geom_arc_spline, only: arc_spline, line_spline
+    use geom_bspline, only: bspline_type, spline_point
+    use geom_chain, only: chain_joints, chain_piece, chain_place, chain_type
+    use geom_curve_fit, only: curve_function_type
+    use geom_place, only: at_finish, at_start, place_type
+    use geom_subarc, only: part_of
+    implicit none (type, external)
+    private
+
+    public :: draw_line
+
+    !> A view between two joints.
+    type :: view_type
+        logical :: is_constant = .false.    !! the same everywhere
+        real(dp) :: constant = 0.0_dp       !! BL or WL where it is, deck units
+        type(arc_type) :: arc               !! else BL or WL over STA, towards greater STA
+    end type view_type
+
+    !> A line between two joints.
+    type, extends(curve_function_type) :: stretch_type
+        real(dp) :: ends(2) = 0.0_dp        !! stations, in order, deck units
+        real(dp) :: pace(2) = 1.0_dp        !! of the station at these ends
+        type(view_type) :: view(2)          !! plan, side
+    contains
+        procedure :: at => stretch_at
+    end type stretch_type
+
+    !> Points of an exact curve at which it is proved to be that.
+    integer, parameter :: proofs = 64
+    !> Chords of which the length of a line is summed up.
+    integer, parameter :: chords = 16
+
+contains
+
+    !> The shape of a control line, whose axes are those of the side view. A line that is but an
+    !> angle, or is constant without an end, has no contour.
+    !>
+    !> Fails with `cause%no_convergence` where a curve can't be fitted.
+    pure subroutine draw_line(line, number, tolerance, shape, error)
+        type(line_type), intent(in) :: line                 !! of a body
+        integer, intent(in) :: number                       !! which of its lines
+        real(dp), intent(in) :: tolerance                   !! of fitted curves, deck units
+        type(shape_type), intent(out) :: shape              !! see above
+        type(error_type), allocatable, intent(out) :: error !! see above
+        type(curve_type), allocatable :: curves(:)
+        real(dp), allocatable :: stops(:)
+        integer :: i
+
+        shape%name = safe_name(line%name)
+        shape%title = 'LINE '//trim(line%name)
+        shape%kind = shape_kind%line
+        shape%number = number
+        shape%plane = buttock_plane(level_of(line))
+        allocate (shape%contours(0))
+        if (.not. line%has_side .or. .not. line%from < line%to) return
+        if (line%to - line%from > huge(1.0_dp)) return
+        allocate (stops(0))
+        stops = stops_of(line)
+        allocate (curves(size(stops) - 1))
+        do i = 1, size(curves)
+            call draw_stretch(stretch_of(line, stops(i:i + 1)), tolerance, curves(i), error)
+            if (allocated(error)) return
+            if (curves(i)%is_conic) curves(i)%is_conic = &
+                all(is_equal(curves(i)%spline%pole(2, :), level_of(line)))
+        end do
+        call make_contours(curves, shape%contours)
+    end subroutine draw_line
+
+    !> The butt line in which all of a line is, or 0.
+    pure real(dp) function level_of(line) result(level)
+        type(line_type), intent(in) :: line !! any
+        level = 0.0_dp
+        if (line%has_plan .and. line%plan%is_constant) level = line%plan%constant
+    end function level_of
+
+    !> The ends of a line and, between them, the joints of its views, in order.
+    pure function stops_of(line) result(stops)
+        type(line_type), intent(in) :: line !! with a side view, of finite length
+        real(dp), allocatable :: stops(:), joints(:)
+
+        allocate (joints(0))
+        joints = chain_joints(line%side)
+        if (line%has_plan) joints = [joints, chain_joints(line%plan)]
+        joints = [pack(joints, joints > line%from .and. joints < line%to), line%to]
+        stops = [line%from]
+        do while (stops(size(stops)) < line%to)
+            stops = [stops, minval(joints, mask=joints > stops(size(stops)))]
+        end do
+    end function stops_of
+
+    !> A line between two joints.
+    pure type(stretch_type) function stretch_of(line, ends) result(stretch)
+        type(line_type), intent(in) :: line     !! with a side view
+        real(dp), intent(in) :: ends(2)         !! stations of neighbouring joints, deck units
+        real(dp) :: length, slant(2), t
+        integer :: i
+
+        stretch%ends = ends
+        stretch%view(1)%is_constant = .true.
+        if (line%has_plan) stretch%view(1) = view_of(line%plan, ends)
+        stretch%view(2) = view_of(line%side, ends)
+        length = 0.0_dp
+        do i = 1, chords
+            t = real(i, dp)/real(chords, dp)
+            length = length + norm2(stretch%at(t) - stretch%at(t - 1.0_dp/real(chords, dp)))
+        end do
+        slant = [slant_at(stretch, at_start), slant_at(stretch, at_finish)]
+        stretch%pace = pace_of(slant, length, ends(2) - ends(1))
+    end function stretch_of
+
+    !> A view between two joints.
+    pure type(view_type) function view_of(chain, ends) result(view)
+        type(chain_type), intent(in) :: chain   !! a view of a line
+        real(dp), intent(in) :: ends(2)         !! stations of neighbouring joints, deck units
+
+        view%is_constant = chain%is_constant
+        view%constant = chain%constant
+        if (chain%is_constant) return
+        associate (arc => chain%arc(chain_piece(chain, ends(1))))
+            view%arc = part_of(arc, chain_place(arc, ends(1)), chain_place(arc, ends(2)))
+        end associate
+        view%is_constant = view%arc%is_line &
+            .and. is_equal(view%arc%start(2), view%arc%finish(2))
+        view%constant = view%arc%start(2)
+    end function view_of
+
+    !> The part of the unit direction along STA at an end.
+    pure real(dp) function slant_at(stretch, place) result(slant)
+        type(stretch_type), intent(in) :: stretch   !! any
+        type(place_type), intent(in) :: place       !! start or finish
+        real(dp) :: along(2), steep
+        integer :: i
+
+        slant = 0.0_dp
+        steep = 1.0_dp
+        do i = 1, 2
+            if (stretch%view(i)%is_constant) cycle
+            along = tangent(stretch%view(i)%arc, place)
+            if (abs(along(1)) <= ulp*abs(along(2))) return
+            steep = steep + (along(2)/along(1))**2
+        end do
+        slant = 1.0_dp/sqrt(steep)
+    end function slant_at
+
+    !> The point of a stretch.
+    pure function stretch_at(f, t) result(at)
+        class(stretch_type), intent(in) :: f    !! the stretch
+        real(dp), intent(in) :: t               !! 0 to 1
+        real(dp) :: at(3), seen(2)
+        integer :: i
+
+        at(1) = paced(f%ends(1), f%ends(2), f%pace, t)
+        do i = 1, 2
+            at(i + 1) = f%view(i)%constant
+            if (f%view(i)%is_constant) cycle
+            seen = point(f%view(i)%arc, chain_place(f%view(i)%arc, at(1)))
+            at(i + 1) = seen(2)
+        end do
+    end function stretch_at
+
+    !> The curve of a stretch. Fails with `cause%no_convergence` where it can't be fitted.
+    pure subroutine draw_stretch(stretch, tolerance, curve, error)
+        type(stretch_type), intent(in) :: stretch           !! between joints
+        real(dp), intent(in) :: tolerance                   !! of a fitted curve, deck units
+        type(curve_type), intent(out) :: curve              !! in space
+        type(error_type), allocatable, intent(out) :: error !! see above
+        logical :: is_one
+
+        call join_views(stretch, curve%spline, is_one)
+        if (is_one) call prove(stretch, curve)
+        if (curve%is_exact) then
+            curve%section = ''
+            curve%is_conic = stretch%view(1)%is_constant .and. .not. stretch%view(2)%is_constant
+            if (curve%is_conic) curve%arc = stretch%view(2)%arc
+        else
+            call fitted_curve(stretch, 3, tolerance, curve, error)
+        end if
+    end subroutine draw_stretch
+
+    !> The spline that both views of a stretch are images of, if they can be of one.
+    pure subroutine join_views(stretch, spline, is_one)
+        type(stretch_type), intent(in) :: stretch       !! any
+        type(bspline_type), intent(out) :: spline       !! in space
+        logical, intent(out) :: is_one                  !! there is perhaps one
+        type(bspline_type) :: other
+        real(dp) :: share
+        integer :: main, i, k, last
+
+        main = 2
+        if (is_plain(stretch%view(2)) .and. .not. is_plain(stretch%view(1))) main = 1
+        is_one = .true.
+        if (stretch%view(main)%is_constant) main = 3 - main
+        if (stretch%view(main)%is_constant) then
+            spline = line_spline(stretch%at(0.0_dp), stretch%at(1.0_dp))
+            return
+        end if
+        other = arc_spline(stretch%view(main)%arc)
+        spline = other
+        last = size(spline%weight)
+        deallocate (spline%pole)
+        allocate (spline%pole(3, last))
+        spline%pole(1, :) = other%pole(1, :)
+        spline%pole(main + 1, :) = other%pole(2, :)
+        i = 3 - main
+        associate (view => stretch%view(i), pole => spline%pole)
+            if (view%is_constant) then
+                pole(i + 1, :) = view%constant
+            else if (view%arc%is_line) then
+                do k = 1, last
+                    share = (pole(1, k) - view%arc%start(1))/(view%arc%finish(1) - &
+                        view%arc%start(1))
+                    pole(i + 1, k) = (1.0_dp - share)*view%arc%start(2) + share*view%arc%finish(2)
+                end do
+            else
+                other = arc_spline(view%arc)
+                is_one = size(other%weight) == last
+                if (.not. is_one) return
+                is_one = all(abs(other%weight - spline%weight) <= type_tolerance*spline%weight)
+                pole(i + 1, :) = other%pole(2, :)
+            end if
+        end associate
+    end subroutine join_views
+
+    !> True for a view that is straight.
+    pure logical function is_plain(view)
+        type(view_type), intent(in) :: view !! any
+        is_plain = view%is_constant .or. view%arc%is_line
+    end function is_plain
+
+    !> Measures a spline that should be a stretch, on both views; it is exact where it is off by no
+    !> more than rounding.
+    pure subroutine prove(stretch, curve)
+        type(stretch_type), intent(in) :: stretch   !! what it should be
+        type(curve_type), intent(inout) :: curve    !! has a spline
+        real(dp) :: at(3), off(2)
+        integer :: i, k
+
+        curve%worst = curve%spline%pole(:, 1)
+        do k = 0, proofs
+            at = spline_point(curve%spline, real(k, dp)/real(proofs, dp))
+            do i = 1, 2
+                off(i) = abs(at(i + 1) - stretch%view(i)%constant)
+                if (.not. stretch%view(i)%is_constant) &
+                    off(i) = distance_off(stretch%view(i)%arc, at([1, i + 1]))
+            end do
+            if (norm2(off) <= curve%error) cycle
+            curve%error = norm2(off)
+            curve%worst = at
+        end do
+        curve%is_exact = curve%error <= agreement_ulps*ulp*maxval(abs(curve%spline%pole))
+    end subroutine prove
+
+    !> Puts the curves of a line end to end; where they do not meet, as several contours.
+    pure subroutine make_contours(curves, contours)
+        type(curve_type), intent(inout) :: curves(:)                    !! in order
+        type(contour_type), allocatable, intent(out) :: contours(:)     !! of the line
+        logical :: meets(size(curves))
+        real(dp) :: reach
+        integer :: i, first
+
+        meets = .false.
+        do i = 1, size(curves) - 1
+            reach = maxval(abs(curves(i)%spline%pole))
+            meets(i) = gap_between(curves(i), curves(i + 1)) <= meeting_tolerance*reach
+            if (meets(i)) call join(last_point(curves(i)), agreement_ulps*ulp*reach, &
+                curves(i + 1))
+        end do
+        allocate (contours(count(.not. meets)))
+        first = 1
+        do i = 1, size(contours)
+            associate (last => first - 1 + findloc(meets(first:), .false., dim=1))
+                allocate (contours(i)%marks(0))
+                contours(i)%curves = curves(first:last)
+                first = last + 1
+            end associate
+        end do
+    end subroutine make_contours
+
+end module export_drawing_line
