@@ -52,8 +52,8 @@ module export_drawing_line
 
 contains
 
-    !> The shape of a control line, whose axes are those of the side view. A line that is but an
-    !> angle, or is constant without an end, has no contour.
+    !> The shape of a control line, whose axes are those of the side view. Of a line that is but an
+    !> angle, or is constant without an end, the contours are not allocated.
     !>
     !> Fails with `cause%no_convergence` where a curve can't be fitted.
     pure subroutine draw_line(line, number, tolerance, shape, error)
@@ -71,7 +71,6 @@ contains
         shape%kind = shape_kind%line
         shape%number = number
         shape%plane = buttock_plane(level_of(line))
-        allocate (shape%contours(0))
         if (.not. line%has_side .or. .not. line%from < line%to) return
         if (line%to - line%from > huge(1.0_dp)) return
         allocate (stops(0))

@@ -77,16 +77,24 @@ contains
     end function safe_name
 
     !> Gives the names in a drawing that stand there before, in any case of letters, the suffix
-    !> `-2`, `-3` and so on.
+    !> `-2`, `-3` and so on: cuts first, then lines.
     pure subroutine make_unique(drawing)
-        type(drawing_type), intent(inout) :: drawing !! cuts and lines have names
+        type(drawing_type), intent(inout) :: drawing !! its shapes have names
+        type(shape_type) :: none(0)
         integer :: i
 
-        do i = 1, size(drawing%cuts)
-            call settle(drawing%cuts(:i - 1), drawing%lines(:0), drawing%cuts(i)%name)
-        end do
+        if (allocated(drawing%cuts)) then
+            do i = 1, size(drawing%cuts)
+                call settle(drawing%cuts(:i - 1), none, drawing%cuts(i)%name)
+            end do
+        end if
+        if (.not. allocated(drawing%lines)) return
         do i = 1, size(drawing%lines)
-            call settle(drawing%cuts, drawing%lines(:i - 1), drawing%lines(i)%name)
+            if (allocated(drawing%cuts)) then
+                call settle(drawing%cuts, drawing%lines(:i - 1), drawing%lines(i)%name)
+            else
+                call settle(none, drawing%lines(:i - 1), drawing%lines(i)%name)
+            end if
         end do
     end subroutine make_unique
 
