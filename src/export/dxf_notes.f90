@@ -1,0 +1,87 @@
+!> The words on a drawing in DXF: what it shows, in which unit, how exactly, which cut is on which
+!> layer; and the bevels along the contours.
+module export_dxf_notes
+    use base_constants, only: version
+    use base_digits, only: fixed, shortest
+    use base_kinds, only: dp, i64
+    use base_text, only: counted, upper
+    use export_drawing, only: contour_type, drawing_type
+    use export_dxf_page, only: add_words, page_type, stroke_type, words_side
+    use export_settings, only: settings_type
+    use export_units, only: unit_type
+    implicit none (type, external)
+    private
+
+    public :: add_notes, add_bevels
+
+    !> In heights of letters: from the shapes to the first note, from note to note, the length of a
+    !> bevel's tick and from its foot to its figures.
+    real(dp), parameter :: below = 8.0_dp, line_height = 2.0_dp, tick = 1.0_dp, beyond = 2.0_dp
+
+contains
+
+    !> Adds the notes, line by line below the shapes.
+    pure subroutine add_notes(page, drawing, unit, settings, layers)
+        type(page_type), intent(inout) :: page      !! with its corners and reference lines
+        type(drawing_type), intent(in) :: drawing   !! what is drawn
+        type(unit_type), intent(in) :: unit         !! of it
+        type(settings_type), intent(in) :: settings !! as asked for
+        character(*), intent(in) :: layers(:)       !! of the cuts
+        integer :: i
+
+        if (drawing%title /= '') call note(page, drawing%title)
+        call note(page, 'DECK '//drawing%deck)
+        call note(page, 'ALL DIMENSIONS IN '//trim(unit%name))
+        call note(page, 'WITHIN '//shortest(settings%tolerance)//' '//trim(unit%short)// &
+            ' OF THE EXACT SHAPE')
+        if (settings%is_in_space) then
+            call note(page, 'IN SPACE: X IS STA, Y IS BL, Z IS WL')
+        else
+            call note(page, 'TRUE SHAPES AT A COMMON ORIGIN, EACH CUT ON ITS OWN LAYER')
+        end if
+        if (settings%is_half .and. any(drawing%cuts%is_half)) &
+            call note(page, 'HALVES: THE OTHER HALF IS THE MIRROR IMAGE IN BL 0')
+        do i = 1, size(drawing%cuts)
+            associate (cut => drawing%cuts(i))
+                call note(page, 'LAYER '//trim(layers(i))//': '//cut%title//', '// &
+                    upper(counted(int(cut%quantity, i64), 'piece')))
+            end associate
+        end do
+        call note(page, 'LOFT '//version)
+    end subroutine add_notes
+
+    !> Adds a note below those that there are.
+    pure subroutine note(page, text)
+        type(page_type), intent(inout) :: page      !! gets it
+        character(*), intent(in) :: text            !! any bytes
+        real(dp) :: down
+        down = (below + line_height*real(size(page%words), dp))*page%height
+        call add_words(page%words, page%low - [0.0_dp, down], words_side%left, text)
+    end subroutine note
+
+    !> Adds the bevels along a contour: a tick across it and the degrees beside it.
+    pure subroutine add_bevels(page, contour)
+        type(page_type), intent(inout) :: page      !! gets them, its notes are there
+        type(contour_type), intent(in) :: contour   !! in the plane of the page
+        integer :: i
+
+        if (.not. allocated(contour%marks)) return
+        do i = 1, size(contour%marks)
+            associate (mark => contour%marks(i))
+                page%ticks = [page%ticks, stroke_type(mark%uv, &
+                    mark%uv + tick*page%height*mark%outward)]
+                call add_words(page%words, mark%uv + beyond*page%height*mark%outward, &
+                    words_side%middle, bevel_text(mark%bevel))
+            end associate
+        end do
+    end subroutine add_bevels
+
+    !> A bevel with its sign, degrees to one decimal.
+    pure function bevel_text(bevel) result(text)
+        real(dp), intent(in) :: bevel   !! degrees
+        character(:), allocatable :: text
+        text = trim(adjustl(fixed(bevel, 9, 1)))
+        if (bevel > 0.0_dp .and. text /= '0.0') text = '+'//text
+    end function bevel_text
+
+end module export_dxf_notes

@@ -1,0 +1,156 @@
+!> A shape in a DXF file: in R12 each contour is one POLYLINE within the tolerance, in R2000 each
+!> curve is a SPLINE or a LINE, exactly. What has shrunk to a point is a POINT.
+module export_dxf_shape
+    use base_error, only: error_type
+    use base_exact, only: is_equal
+    use base_kinds, only: dp
+    use cut_plane, only: true_shape
+    use export_chords, only: chord_polygon, decimals_for, polygon_type, round_polygon, &
+        rounding_error
+    use export_drawing, only: contour_type, curve_type, shape_kind, shape_type
+    use export_dxf_entity, only: put_line, put_point, put_polyline, put_spline
+    use export_dxf_tag, only: dxf_type
+    use export_receipt, only: entity_type, receipt_type
+    use geom_bspline, only: bspline_type, is_rational, spline_breaks
+    implicit none (type, external)
+    private
+
+    public :: pen_type, put_shape, in_drawing
+
+    !> How shapes are drawn.
+    type :: pen_type
+        character(31) :: layer = ''         !! of the outside of the skin, and of control lines
+        character(31) :: inside = ''        !! layer of the inside of the skin
+        logical :: is_in_space = .false.    !! not in the plane of the shape
+        real(dp) :: tolerance = 0.0_dp      !! of polygons, unit of the drawing
+    end type pen_type
+
+    !> Decimals of coordinates in R12, or more where the tolerance asks for them.
+    integer, parameter :: usual_decimals = 4
+
+contains
+
+    !> Points of space where a drawing has them: in the plane of their shape or where they are.
+    pure function in_drawing(shape, at, is_in_space) result(place)
+        type(shape_type), intent(in) :: shape   !! whose points they are
+        real(dp), intent(in) :: at(:, :)        !! STA, BL, WL by columns
+        logical, intent(in) :: is_in_space      !! where they are
+        real(dp), allocatable :: place(:, :)
+        integer :: i
+
+        allocate (place(merge(3, 2, is_in_space), size(at, 2)))
+        do i = 1, size(at, 2)
+            if (is_in_space) then
+                place(:, i) = at(:, i)
+            else
+                place(:, i) = true_shape(shape%plane, at(:, i))
+            end if
+        end do
+    end function in_drawing
+
+    !> Puts all contours of a shape. Fails where `chord_polygon` does.
+    subroutine put_shape(file, shape, pen, receipt, error)
+        type(dxf_type), intent(inout) :: file               !! the file
+        type(shape_type), intent(in) :: shape               !! what to put
+        type(pen_type), intent(in) :: pen                   !! how
+        type(receipt_type), intent(inout) :: receipt        !! gets the entities
+        type(error_type), allocatable, intent(out) :: error !! see above
+        type(pen_type) :: nib
+        integer :: i, k
+
+        do i = 1, size(shape%contours)
+            nib = pen
+            if (shape%contours(i)%is_inside) nib%layer = pen%inside
+            if (file%has_handles .and. size(shape%contours(i)%curves) > 0) then
+                do k = 1, size(shape%contours(i)%curves)
+                    call put_curve(file, shape, shape%contours(i)%curves(k), nib, receipt)
+                end do
+            else
+                call put_contour(file, shape, shape%contours(i), nib, receipt, error)
+                if (allocated(error)) return
+            end if
+        end do
+    end subroutine put_shape
+
+    !> Puts a contour as one polygon, or as a point.
+    subroutine put_contour(file, shape, contour, pen, receipt, error)
+        type(dxf_type), intent(inout) :: file               !! the file
+        type(shape_type), intent(in) :: shape               !! whose contour it is
+        type(contour_type), intent(in) :: contour           !! what to put
+        type(pen_type), intent(in) :: pen                   !! how
+        type(receipt_type), intent(inout) :: receipt        !! gets the entity
+        type(error_type), allocatable, intent(out) :: error !! see `chord_polygon`
+        type(polygon_type) :: polygon
+        type(entity_type) :: entity
+        integer :: decimals
+
+        decimals = decimals_for(pen%tolerance, usual_decimals)
+        call chord_polygon(contour, pen%tolerance - rounding_error(decimals, 3), polygon, error)
+        if (allocated(error)) return
+        polygon%at = in_drawing(shape, polygon%at, pen%is_in_space)
+        call round_polygon(polygon, decimals)
+        entity%name = shape%name
+        entity%points = size(polygon%at, 2)
+        entity%error = polygon%error
+        entity%has_place = .true.
+        entity%worst = polygon%worst
+        if (entity%points == 1) then
+            entity%kind = 'POINT'
+            call put_point(file, trim(pen%layer), polygon%at(:, 1))
+        else
+            entity%kind = trim(merge('CLOSED POLYLINE', 'POLYLINE       ', polygon%is_closed))
+            call put_polyline(file, trim(pen%layer), polygon%at, polygon%is_closed)
+        end if
+        call receipt%add(entity)
+    end subroutine put_contour
+
+    !> Puts a curve as it is.
+    subroutine put_curve(file, shape, curve, pen, receipt)
+        type(dxf_type), intent(inout) :: file           !! of R2000
+        type(shape_type), intent(in) :: shape           !! whose curve it is
+        type(curve_type), intent(in) :: curve           !! what to put
+        type(pen_type), intent(in) :: pen               !! how
+        type(receipt_type), intent(inout) :: receipt    !! gets the entity
+        type(bspline_type) :: spline
+        type(entity_type) :: entity
+        integer :: last
+
+        spline%degree = curve%spline%degree
+        allocate (spline%knot, source=curve%spline%knot)
+        allocate (spline%weight, source=curve%spline%weight)
+        allocate (spline%pole, source=in_drawing(shape, curve%spline%pole, pen%is_in_space))
+        last = size(spline%pole, 2)
+        entity%name = shape%name
+        if (curve%section /= '') entity%name = shape%name//' '//curve%section
+        entity%is_exact = curve%is_exact
+        entity%error = curve%error
+        entity%has_place = .not. curve%is_exact
+        entity%worst = curve%worst
+        entity%points = last
+        if (all(is_equal(spline%pole, spread(spline%pole(:, 1), 2, last)))) then
+            entity%kind = 'POINT'
+            entity%points = 1
+            call put_point(file, trim(pen%layer), spline%pole(:, 1))
+        else if (last == 2) then
+            entity%kind = 'LINE'
+            call put_line(file, trim(pen%layer), spline%pole(:, 1), spline%pole(:, 2))
+        else
+            entity%kind = trim(merge('RATIONAL SPLINE', 'SPLINE         ', is_rational(spline)))
+            entity%spans = size(spline_breaks(spline)) - 1
+            call put_spline(file, trim(pen%layer), spline, normal_of(shape, pen%is_in_space))
+        end if
+        call receipt%add(entity)
+    end subroutine put_curve
+
+    !> The normal of the plane of a shape in the drawing; zero for a line in space.
+    pure function normal_of(shape, is_in_space) result(normal)
+        type(shape_type), intent(in) :: shape   !! any shape
+        logical, intent(in) :: is_in_space      !! not in its plane
+        real(dp) :: normal(3)
+        normal = 0.0_dp
+        if (shape%kind == shape_kind%line) return
+        normal = [0.0_dp, 0.0_dp, 1.0_dp]
+        if (is_in_space) normal = shape%plane%normal/norm2(shape%plane%normal)
+    end function normal_of
+
+end module export_dxf_shape
