@@ -1,8 +1,10 @@
 !> The skin of a body as surfaces that share their edges: what IGES and STEP files are written from.
 !>
 !> Each face is one stretch of one section (a stretch lies between two stations where any line of
-!> the body has a joint or an end), or a flat cap that closes the body at a station. Faces of a
-!> shell share edges, and edges share vertices, exactly: the same numbers.
+!> the body has a joint or an end), or flat: a cap that closes the body at a station, or a wall in
+!> BL 0 that closes a body of one side. Faces of a shell share edges, and edges share vertices,
+!> exactly: the same numbers. The edges of a surface are its own splines, pole by pole; only an end
+!> of a section that is straight is an edge of degree 1 whatever the surface has.
 module export_shell
     use base_kinds, only: dp
     use geom_bspline, only: bspline_type
@@ -36,15 +38,17 @@ module export_shell
         character(:), allocatable :: name       !! `UPPER STA 0 TO 14`, `CAP STA 280`
         character(:), allocatable :: section    !! name of the section; empty: a cap
         logical :: is_port = .false.            !! of the mirrored half
-        logical :: is_flat = .false.            !! a plane: `surface` is not set
+        logical :: is_flat = .false.            !! a plane, cap or wall: `surface` is not set
         type(bspline_surface_type) :: surface   !! u aft along the section's lines, v from its start
                                                 !! line to its finish line
         real(dp) :: origin(3) = 0.0_dp          !! a point of a plane
         real(dp) :: normal(3) = 0.0_dp          !! of a plane, outward, of unit length
         logical :: is_outward = .true.          !! dS/du x dS/dv points out of the body
         type(side_type), allocatable :: sides(:) !! the outer loop, counter-clockwise seen from
-                                                !! outside; of a surface four, in the order that
-                                                !! `export_shell_build` states
+                                                !! outside; of a surface and of a wall four: start
+                                                !! line, aft end, finish line, fore end; where not
+                                                !! `is_outward` start line, fore end, finish line,
+                                                !! aft end; of a cap as many as there are
         logical :: is_exact = .false.           !! the surface itself, but for rounding
         real(dp) :: error = 0.0_dp              !! largest distance from the skin, measured
         real(dp) :: worst(3) = 0.0_dp           !! where

@@ -2,8 +2,8 @@
 !> of it, a plane face closes each side.
 !>
 !> The ribs at a station that hang together are looked at together. Where each belongs to two faces
-!> they are sewn as they are. Else, and if what is left over on each side makes loops, each side
-!> gets edges of its own and a cap in each loop; where it does not, nothing is capped.
+!> they are sewn as they are. Else each side on which what is left over makes loops gets a cap in
+!> each loop, and fore and aft get edges of their own; where it does not, nothing is capped.
 module export_shell_caps
     use base_kinds, only: dp
     use base_exact, only: is_zero
@@ -36,7 +36,6 @@ contains
         type(panel_type), allocatable, intent(inout) :: panels(:)   !! of both halves
         type(use_type), allocatable :: uses(:), cluster(:)
         type(panel_type), allocatable :: caps(:), more(:)
-        logical :: is_sound(2)
         integer :: i, end
 
         allocate (uses(0))
@@ -48,13 +47,11 @@ contains
             if (leads_over(panels, cluster) .and. .not. is_closed) cycle
             allocate (caps(0))
             do end = 1, 2
-                call caps_of(corners, panels, cluster, end, more, is_sound(end))
+                call caps_of(corners, panels, cluster, end, more)
                 caps = [caps, more]
             end do
-            if (all(is_sound)) then
-                call part_ribs(cluster, panels)
-                panels = [panels, caps]
-            end if
+            if (size(caps) > 0) call part_ribs(cluster, panels)
+            panels = [panels, caps]
             deallocate (caps)
         end do
     end subroutine add_caps
@@ -147,32 +144,32 @@ contains
         end do
     end function partners
 
-    !> The caps of one side of ribs that hang together.
-    pure subroutine caps_of(corners, panels, cluster, end, caps, is_sound)
+    !> The caps of one side of ribs that hang together; none where not all of them are in loops.
+    pure subroutine caps_of(corners, panels, cluster, end, caps)
         real(dp), intent(in) :: corners(:, :)                   !! of `ribs_type`
         type(panel_type), intent(in) :: panels(:)               !! of both halves
         type(use_type), intent(in) :: cluster(:)                !! the ribs
         integer, intent(in) :: end                              !! 1: of faces that begin there, 2:
                                                                 !! that end
         type(panel_type), allocatable, intent(out) :: caps(:)   !! theirs
-        logical, intent(out) :: is_sound                        !! all ribs are in a loop
         type(use_type), allocatable :: rest(:)
         integer, allocatable :: loop(:)
+        type(panel_type) :: cap
         integer :: i
 
         allocate (caps(0))
         rest = pack(cluster, [(panels(cluster(i)%panel)%bonds(cluster(i)%bond)%end == end, &
             i=1, size(cluster))])
         rest = pack(rest, partners(panels, rest) /= 1)
-        is_sound = .true.
-        do while (size(rest) > 0 .and. is_sound)
+        do while (size(rest) > 0)
             call find_loop(rest, loop)
-            is_sound = size(loop) > 0
-            if (.not. is_sound) return
-            caps = [caps, cap_of(panels, rest(loop), corners)]
-            is_sound = faces_out(caps(size(caps)), end)
+            if (size(loop) == 0) exit
+            cap = cap_of(panels, rest(loop), corners)
+            if (.not. faces_out(cap, end)) exit
+            caps = [caps, cap]
             rest = pack(rest, [(all(loop /= i), i=1, size(rest))])
         end do
+        if (size(rest) > 0) caps = caps(:0)
     end subroutine caps_of
 
     !> The first rib with those that follow, against the way of their faces, till it is reached

@@ -5,7 +5,8 @@ module export_shell_ribs
     use base_error, only: error_type
     use base_exact, only: is_equal
     use base_kinds, only: dp
-    use export_shell_rows, only: end_rows, form, rows_type
+    use export_shell_limits, only: end_rows
+    use export_shell_rows, only: form, rows_type
     use export_shell_stretch, only: slot_type, stretch_type, track_at
     use geom_vector, only: cross
     implicit none (type, external)

@@ -1,17 +1,14 @@
 !> A section at a station as the rows of a rational Bezier curve, in homogeneous coordinates: its
 !> start with weight 1, V1 with weight w, its finish with weight 1, where in terms of `geom_arc`
-!> V1 = w m + g. Along the body each row is a smooth function of u, to the very ends of a stretch,
-!> also where the section shrinks to a point or to a line: there V1 and w are their limits.
+!> V1 = w m + g. Along the body each row is a smooth function of u.
 !>
 !> Where w is small or below zero it can't be the weight of a pole. Halved without roots the curve
 !> has the rows P0, (P0 + V1)/2, (P0 + 2 V1 + P2)/4, (V1 + P2)/2, P2 with the weights 1, q/2, q/2,
 !> q/2, 1, and q = 1 + w is above zero.
 module export_shell_rows
-    use base_constants, only: pi
-    use base_error, only: cause, error_type, fail
+    use base_error, only: error_type
     use base_kinds, only: dp
-    use base_text, only: compact
-    use body_section, only: is_point, section_arc, trace_at
+    use body_section, only: section_arc
     use body_taylor, only: taylor_type
     use export_shell_pace, only: station_at
     use export_shell_stretch, only: slot_type, stretch_type, track_at
@@ -20,7 +17,7 @@ module export_shell_rows
     implicit none (type, external)
     private
 
-    public :: rows_type, rows_at, end_rows, poles_of, pole_count, forms_of
+    public :: rows_type, rows_at, poles_of, pole_count, forms_of
 
     !> The rows of a section at a station: BL and WL, deck units.
     type :: rows_type
@@ -45,9 +42,6 @@ module export_shell_rows
     real(dp), parameter :: least_weight = 0.2_dp
     !> Places of a stretch at which w is looked at.
     integer, parameter :: places = 33
-    !> Limits at an end are worked from so many stations within this part of u.
-    integer, parameter :: inner = 10
-    real(dp), parameter :: inner_part = 0.0625_dp
 
 contains
 
@@ -71,62 +65,6 @@ contains
         rows%weight = weight(arc)
         rows%middle = rows%weight*rows%middle + arc%size*to_real(arc%bulge)
     end subroutine rows_at
-
-    !> The rows of a section at an end of a stretch: where it is a point or has shrunk to a line,
-    !> limits. Fails where there are none.
-    pure subroutine end_rows(stretch, slot, end, rows, error)
-        type(stretch_type), intent(in) :: stretch           !! any
-        type(slot_type), intent(in) :: slot                 !! one of its slots
-        integer, intent(in) :: end                          !! 1: the fore end, 2: the aft end
-        type(rows_type), intent(out) :: rows                !! where there is no error
-        type(error_type), allocatable, intent(out) :: error !! see above
-        type(rows_type) :: near(inner)
-        real(dp) :: sta, share(inner), u
-        integer :: i
-
-        sta = merge(stretch%pace%from, stretch%pace%to, end == 1)
-        call rows_at(stretch, slot, sta, rows, error)
-        if (slot%number == 0) return
-        if (.not. (allocated(error) .or. rows%is_line)) return
-        do i = 1, inner
-            u = inner_part*sin(0.25_dp*pi*real(2*i - 1, dp)/real(inner, dp))**2
-            if (end == 2) u = 1.0_dp - u
-            call rows_at(stretch, slot, station_of(u), near(i), error)
-            if (allocated(error)) return
-        end do
-        share = shares_at_end()
-        rows%is_line = all(near%is_line)
-        rows%weight = sum(share*near%weight)
-        rows%middle = [sum(share*near%middle(1)), sum(share*near%middle(2))]
-        if (rows%is_line) rows%middle = 0.5_dp*(rows%start + rows%finish)
-        if (is_point(trace_at(stretch%body%lines, slot%section, sta))) &
-            rows%middle = rows%weight*rows%start
-        if (rows%weight > -1.0_dp) return
-        call fail(error, cause%no_arc, 'section '//trim(slot%section%name)// &
-            ' has no conic that it nears at station '//compact(sta))
-    contains
-        !> The station at u.
-        pure real(dp) function station_of(u)
-            real(dp), intent(in) :: u !! 0 to 1
-            type(taylor_type) :: at
-            at = station_at(stretch%pace, u)
-            station_of = at%value
-        end function station_of
-    end subroutine end_rows
-
-    !> What the stations near an end count for the limit there: the polynomial through Chebyshev's
-    !> points, at the end of their interval (J.-P. Berrut and L. N. Trefethen, "Barycentric Lagrange
-    !> interpolation", SIAM Review 46 (2004), 5.3).
-    pure function shares_at_end() result(share)
-        real(dp) :: share(inner), angle
-        integer :: i
-
-        do i = 1, inner
-            angle = 0.5_dp*pi*real(2*i - 1, dp)/real(inner, dp)
-            share(i) = (-1.0_dp)**i*sin(angle)/(1.0_dp - cos(angle))
-        end do
-        share = share/sum(share)
-    end function shares_at_end
 
     !> The rows in the order of the way around: BL, WL and weight of each pole, homogeneous.
     pure function poles_of(start, middle, finish, which) result(poles)

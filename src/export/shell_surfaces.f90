@@ -2,7 +2,10 @@
 !>
 !> First a single span is tried, with the least degree that does; one that gives the skin itself,
 !> but for rounding, is taken before all others. Else the degree is 5, and spans in which the
-!> distance from the skin is too large are halved, until it is small enough everywhere.
+!> distance from the skin is too large are halved, until it is small enough everywhere; then it is
+!> tried whether fewer spans of other lengths do, as the distance goes with the power of the length
+!> that is one above the degree (C. de Boor, "A Practical Guide to Splines", revised ed., Springer
+!> 2001, chapter XII).
 module export_shell_surfaces
     use base_error, only: cause, error_type, fail
     use base_kinds, only: dp
@@ -38,6 +41,10 @@ module export_shell_surfaces
     !> Bounds of the halving: spans of a stretch, and parts of it that a span is.
     integer, parameter :: most_spans = 500
     real(dp), parameter :: shortest_span = 2.0_dp**(-24)
+    !> How often fewer spans are tried, and the least that a span is taken to miss by: parts of what
+    !> it may.
+    integer, parameter :: most_tries = 8
+    real(dp), parameter :: least_miss = 1.0e-5_dp
     !> A surface is the skin itself where it misses it by no more than this many ulp of its largest
     !> coordinate.
     real(dp), parameter :: exact_ulps = 64.0_dp
@@ -64,7 +71,61 @@ contains
             call fit_all(stretch, ends, forms, fitted, error)
             if (allocated(error)) return
         end do
+        if (size(fitted%span_miss) > 2) &
+            call spare_spans(stretch, ends, forms, kept_part*tolerance, fitted)
     end subroutine fit_stretch
+
+    !> Looks for fewer spans that do, of such lengths that all miss by about the same.
+    pure subroutine spare_spans(stretch, ends, forms, most, fitted)
+        type(stretch_type), intent(in) :: stretch           !! any
+        type(ends_type), intent(in) :: ends                 !! of it
+        integer, intent(in) :: forms(:)                     !! of the sections: `form%...`
+        real(dp), intent(in) :: most                        !! by how much they may miss, deck units
+        type(fitted_type), intent(inout) :: fitted          !! halved; gets fewer spans
+        type(fitted_type) :: trial
+        type(error_type), allocatable :: error
+        real(dp), allocatable :: need(:)
+        integer :: try, spans, too_few
+
+        trial = fitted
+        too_few = 1
+        do try = 1, most_tries
+            need = (max(trial%span_miss/most, least_miss))**(1.0_dp/real(highest_degree + 1, dp))
+            spans = min(max(ceiling(sum(need)), too_few + 1), size(fitted%span_miss) - 1)
+            if (spans <= too_few) return
+            trial%fit%breaks = evened(trial%fit%breaks, need, spans)
+            call fit_all(stretch, ends, forms, trial, error)
+            if (allocated(error)) return
+            if (any(trial%span_miss > most)) then
+                too_few = spans
+            else
+                fitted = trial
+            end if
+        end do
+    end subroutine spare_spans
+
+    !> So many breaks that each span between them has the same part of the need of all.
+    pure function evened(breaks, need, spans) result(even)
+        real(dp), intent(in) :: breaks(:)   !! rising
+        real(dp), intent(in) :: need(:)     !! of the spans between them, above zero
+        integer, intent(in) :: spans        !! how many there shall be
+        real(dp) :: even(spans + 1)
+        real(dp) :: before, wanted
+        integer :: i, k
+
+        even(1) = breaks(1)
+        even(spans + 1) = breaks(size(breaks))
+        before = 0.0_dp
+        k = 1
+        do i = 2, spans
+            wanted = sum(need)*real(i - 1, dp)/real(spans, dp)
+            do while (before + need(k) < wanted .and. k < size(need))
+                before = before + need(k)
+                k = k + 1
+            end do
+            even(i) = breaks(k) + (breaks(k + 1) - breaks(k))*(wanted - before)/need(k)
+        end do
+    end function evened
 
     !> Fits a stretch with a single span: exactly, or within the tolerance with the least degree, or
     !> with the highest degree as well as that does. Fails as `section_arc`.
