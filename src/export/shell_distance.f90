@@ -5,6 +5,7 @@
 !> the section's arc; t is v). Where these miss each other along the skin, too, the foot of the
 !> normal is sought by Newton's steps, so that the curvature of the skin does not count.
 module export_shell_distance
+    use base_constants, only: pi
     use base_error, only: error_type
     use base_kinds, only: dp
     use body_body, only: body_type
@@ -43,8 +44,9 @@ module export_shell_distance
         type(frame_type) :: frame   !! with its derivatives
     end type slice_type
 
-    !> Places of a span, and of a section with its ends, at which is measured.
-    integer, parameter :: stations = 13, around = 11
+    !> Places of a span, and of a section with its ends, at which is measured. Those of a span crowd
+    !> towards its ends, as the error of interpolation does in the first and the last one.
+    integer, parameter :: stations = 17, around = 11
     !> Newton's steps at most.
     integer, parameter :: steps = 3
 
@@ -62,8 +64,8 @@ contains
         integer :: i, k
 
         do i = 1, stations
-            call new_slice(sheet, from + (to - from)*((real(i, dp) - 0.5_dp)/ &
-                real(stations, dp)), slice, error)
+            call new_slice(sheet, from + (to - from)*sin(0.25_dp*pi*real(2*i - 1, dp)/ &
+                real(stations, dp))**2, slice, error)
             if (allocated(error)) return
             do k = 0, around - 1
                 t = real(k, dp)/real(around - 1, dp)
