@@ -1,0 +1,210 @@
+!> The mesh of a body: rows and columns from `export_mesh_plan`, vertices on the exact skin,
+!> triangles measured as they are made, flat faces over the ends, and the port half as the mirror
+!> image.
+!>
+!> The plan is made for the tolerance; where the triangles then turn out to be further from the skin
+!> it is made more closely, and where they are nearer than they need be, less so.
+module export_mesh_build
+    use base_error, only: cause, error_type, fail
+    use base_kinds, only: dp
+    use base_text, only: compact
+    use body_body, only: body_type
+    use export_mesh, only: mesh_type, trim_mesh
+    use export_mesh_cap, only: add_caps
+    use export_mesh_density, only: density_type, find_density
+    use export_mesh_edge, only: find_turn, find_twins, half_edge
+    use export_mesh_mirror, only: add_port_half
+    use export_mesh_plan, only: new_plan, plan_type
+    use export_mesh_row, only: first_row, lay_vertices, row_type
+    use export_mesh_seam, only: join_row
+    use export_mesh_skin, only: add_skin
+    use export_mesh_wall, only: add_walls, why_not_closed
+    use export_settings, only: settings_type
+    implicit none (type, external)
+    private
+
+    public :: build_mesh
+
+    !> Plans that are tried, and the part of the tolerance that a good one comes to.
+    integer, parameter :: most_tries = 6
+    real(dp), parameter :: least_part = 0.8_dp, wanted_part = 0.93_dp
+    !> Outlines of two runs are one where they are nearer than this part of the tolerance.
+    real(dp), parameter :: seam_part = 0.05_dp
+
+contains
+
+    !> Builds the mesh of a body, both halves of a symmetric one, in deck units. The tolerance is
+    !> kept, or there is no mesh; the angle is kept where the skin lets it be: the mesh says what it
+    !> is.
+    !>
+    !> Fails with `cause%usage` where tolerance or angle is not above zero, with `cause%too_many`
+    !> where there would be too many triangles, with `cause%no_convergence` where the triangles stay
+    !> further from the skin than asked, and as `section_arc` where a section has no arc.
+    pure subroutine build_mesh(body, settings, mesh, error)
+        type(body_type), intent(in) :: body                 !! finished
+        type(settings_type), intent(in) :: settings         !! angle, is_open, and the tolerance, in
+                                                            !! deck units
+        type(mesh_type), intent(out) :: mesh                !! where there is no error
+        type(error_type), allocatable, intent(out) :: error !! see above
+        type(density_type) :: density
+        type(settings_type) :: aim
+        type(mesh_type) :: tried
+        integer :: try
+
+        if (.not. (settings%tolerance > 0.0_dp .and. settings%angle > 0.0_dp)) then
+            call fail(error, cause%usage, 'tolerance and angle of a mesh must be above zero')
+            return
+        end if
+        call find_density(body, density, error)
+        if (allocated(error)) return
+        aim = settings
+        do try = 1, most_tries
+            call try_mesh(body, density, aim, tried, error)
+            if (allocated(error)) exit
+            tried%tolerance = settings%tolerance
+            tried%angle = settings%angle
+            if (is_better(tried, mesh)) mesh = tried
+            if (is_good(tried, try)) exit
+            call take_aim(tried, mesh, aim)
+        end do
+        if (is_within(mesh)) then
+            if (allocated(error)) deallocate (error)
+        else if (.not. allocated(error)) then
+            call explain(mesh, error)
+        end if
+    end subroutine build_mesh
+
+    !> True for a mesh that keeps its tolerance.
+    pure logical function is_within(mesh)
+        type(mesh_type), intent(in) :: mesh     !! a mesh, or none
+        is_within = mesh%triangle_count > 0 .and. mesh%error <= mesh%tolerance
+    end function is_within
+
+    !> True for a mesh that keeps tolerance and angle, and does not waste triangles; a second try at
+    !> that is enough.
+    pure logical function is_good(mesh, try)
+        type(mesh_type), intent(in) :: mesh     !! a mesh
+        integer, intent(in) :: try              !! how many were made
+        is_good = is_within(mesh) .and. mesh%turn <= mesh%angle &
+            .and. (try > 1 .or. mesh%error >= least_part*mesh%tolerance)
+    end function is_good
+
+    !> True where a mesh is within the tolerance and another is not, or both are and it turns less,
+    !> or both keep the angle and it has fewer triangles.
+    pure logical function is_better(mesh, other)
+        type(mesh_type), intent(in) :: mesh     !! a mesh
+        type(mesh_type), intent(in) :: other    !! another, or none
+        is_better = other%triangle_count == 0
+        if (is_better) return
+        if (is_within(mesh) .neqv. is_within(other)) then
+            is_better = is_within(mesh)
+        else if (max(mesh%turn, other%turn) <= mesh%angle) then
+            is_better = mesh%triangle_count < other%triangle_count
+        else
+            is_better = mesh%turn < other%turn
+        end if
+    end function is_better
+
+    !> Plans the next try. The aim at the angle is not changed any more where that has not helped.
+    pure subroutine take_aim(tried, best, aim)
+        type(mesh_type), intent(in) :: tried            !! the last mesh
+        type(mesh_type), intent(in) :: best             !! the best so far
+        type(settings_type), intent(inout) :: aim       !! tolerance and angle of the plan
+
+        aim%tolerance = aim%tolerance*min(4.0_dp, &
+            wanted_part*tried%tolerance/max(tried%error, tiny(1.0_dp)))
+        if (tried%turn <= tried%angle .or. tried%turn > best%turn) return
+        aim%angle = aim%angle*wanted_part*tried%angle/tried%turn
+    end subroutine take_aim
+
+    !> Says that a mesh stays too far from the skin.
+    pure subroutine explain(mesh, error)
+        type(mesh_type), intent(in) :: mesh                 !! the best one tried
+        type(error_type), allocatable, intent(out) :: error !! `cause%no_convergence`
+
+        if (mesh%triangle_count == 0) then
+            call fail(error, cause%no_convergence, 'the body has no skin to make triangles of')
+        else
+            call fail(error, cause%no_convergence, 'the triangles stay '//compact(mesh%error)// &
+                ' from the skin at STA '//compact(mesh%worst(1))//', BL '// &
+                compact(mesh%worst(2))//', WL '//compact(mesh%worst(3))// &
+                '; ask for a larger tolerance than '//compact(mesh%tolerance))
+        end if
+    end subroutine explain
+
+    !> Builds the mesh of one plan.
+    pure subroutine try_mesh(body, density, aim, mesh, error)
+        type(body_type), intent(in) :: body                 !! finished
+        type(density_type), intent(in) :: density           !! of it
+        type(settings_type), intent(in) :: aim              !! of the plan
+        type(mesh_type), intent(out) :: mesh                !! where there is no error
+        type(error_type), allocatable, intent(out) :: error !! see `build_mesh`
+        type(plan_type) :: plan
+        type(row_type), allocatable :: rows(:)
+        integer, allocatable :: twin(:)
+        character(:), allocatable :: why
+
+        call new_plan(density, aim%tolerance, aim%angle, body%is_symmetric, plan, error)
+        if (allocated(error)) return
+        allocate (mesh%parts(0), mesh%normals(3, 8))
+        call lay_vertices(body, plan, rows, mesh, error)
+        if (allocated(error)) return
+        call join_rows(plan, seam_part*aim%tolerance, rows, mesh)
+        call add_skin(body, plan, rows, mesh, error)
+        if (allocated(error)) return
+        mesh%stations = size(rows)
+        why = why_not_closed(body, plan)
+        if (len(why) == 0) call add_walls(body, plan, rows, mesh)
+        twin = find_twins(mesh)
+        call find_turn(mesh, twin, stops_of(plan))
+        if (len(why) == 0 .and. .not. aim%is_open) &
+            call add_caps(mesh, twin, stops_of(plan), body%is_symmetric)
+        if (body%is_symmetric) call add_port_half(mesh)
+        call trim_mesh(mesh)
+        if (aim%is_open .and. len(why) == 0) why = 'its ends are left open as asked'
+        call conclude(why, mesh)
+    end subroutine try_mesh
+
+    !> The stations between which the runs of a plan are.
+    pure function stops_of(plan) result(stops)
+        type(plan_type), intent(in) :: plan !! any
+        real(dp) :: stops(size(plan%runs) + 1)
+        integer :: i
+        do i = 1, size(plan%runs)
+            stops(i:i + 1) = [plan%runs(i)%stretch%from, plan%runs(i)%stretch%to]
+        end do
+    end function stops_of
+
+    !> Joins the runs where the set of sections changes.
+    pure subroutine join_rows(plan, gap, rows, mesh)
+        type(plan_type), intent(in) :: plan         !! the runs
+        real(dp), intent(in) :: gap                 !! how near outlines are that are one
+        type(row_type), intent(inout) :: rows(:)    !! those at stops are joined
+        type(mesh_type), intent(inout) :: mesh      !! their vertices
+        integer :: i
+        do i = 2, size(plan%runs)
+            associate (row => rows(first_row(plan, i)))
+                call join_row(plan%runs(i - 1)%stretch%sections, plan%runs(i)%stretch%sections, &
+                    max(gap, row%ends%reach), row, mesh)
+            end associate
+        end do
+    end subroutine join_rows
+
+    !> Looks whether the mesh is closed, and says why where it is not.
+    pure subroutine conclude(why, mesh)
+        character(*), intent(in) :: why         !! why its ends were left open, or empty
+        type(mesh_type), intent(inout) :: mesh  !! finished
+        integer, allocatable :: twin(:)
+        integer :: ends(2)
+
+        allocate (twin, source=find_twins(mesh))
+        mesh%is_closed = all(twin > 0)
+        if (mesh%is_closed) return
+        mesh%why = why
+        if (len(why) > 0) return
+        ends = half_edge(mesh, findloc(twin, 0, dim=1))
+        mesh%why = 'an edge is open at STA '//compact(mesh%vertices(1, ends(1)))//', BL '// &
+            compact(mesh%vertices(2, ends(1)))//', WL '//compact(mesh%vertices(3, ends(1)))
+    end subroutine conclude
+
+end module export_mesh_build
