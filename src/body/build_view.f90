@@ -108,10 +108,10 @@ contains
         type(joint_type) :: joint
         integer :: i, card
 
-        associate (pieces => line%view(which)%piece, arc => chain%arc)
-            do i = 1, size(arc) - 1
-                card = merge(size(arc) + 1 - i, i + 1, is_turned)
-                joint = joint_between(arc(i), arc(i + 1))
+        associate (pieces => line%view(which)%piece, stroke => chain%stroke)
+            do i = 1, size(stroke) - 1
+                card = merge(size(stroke) + 1 - i, i + 1, is_turned)
+                joint = joint_between(stroke(i), stroke(i + 1))
                 joint%line = line%name
                 joint%view = which
                 joint%is_knuckle = pieces(card)%is_knuckle

@@ -1,4 +1,4 @@
-!> The continuity ledger: how the arcs of each control line go on at their joints, in position,
+!> The continuity ledger: how the strokes of each control line go on at their joints, in position,
 !> slope and curvature, as numbers and in words.
 module body_ledger
     use base_constants, only: degrees
@@ -7,10 +7,9 @@ module body_ledger
     use base_text, only: compact
     use base_tolerances, only: fair_curvature, slope_resolution
     use deck_job, only: name_length
-    use geom_arc, only: arc_type
-    use geom_arc_point, only: curvature
     use geom_joint, only: jump_between, jump_type
     use geom_place, only: at_finish, at_start
+    use geom_stroke, only: stroke_curvature, stroke_type
     implicit none (type, external)
     private
 
@@ -28,13 +27,14 @@ module body_ledger
 
 contains
 
-    !> The joint of two arcs of a line, the second aft of the first.
+    !> The joint of two strokes of a line, the second aft of the first.
     pure type(joint_type) function joint_between(before, after) result(joint)
-        type(arc_type), intent(in) :: before !! towards greater stations
-        type(arc_type), intent(in) :: after  !! the next, too
+        type(stroke_type), intent(in) :: before !! towards greater stations
+        type(stroke_type), intent(in) :: after  !! the next, too
         joint%sta = after%start(1)
         joint%jump = jump_between(before, after)
-        joint%curvature = [curvature(before, at_finish), curvature(after, at_start)]
+        joint%curvature = [stroke_curvature(before, at_finish), &
+            stroke_curvature(after, at_start)]
     end function joint_between
 
     !> True where the slope breaks by more than the rounding of two punched slopes.

@@ -19,7 +19,7 @@ module body_nose
     use body_nose_fit, only: fit_nose, fitting_words
     use deck_body_card, only: blame
     use deck_job, only: body_type, origin, view
-    use geom_arc, only: arc_type
+    use geom_stroke, only: stroke_type
     implicit none (type, external)
     private
 
@@ -130,17 +130,18 @@ contains
         integer, intent(in) :: which                                !! `view%side` or `view%plan`
         type(nose_type), intent(in) :: nose                         !! fits
         type(joint_type), allocatable, intent(inout) :: ledger(:)   !! gets the joint
-        type(arc_type), allocatable :: arcs(:)
+        type(stroke_type), allocatable :: strokes(:)
         type(error_type), allocatable :: error
         type(joint_type) :: joint
 
+        allocate (strokes(0))
         if (which == view%side) then
-            call cap_and_rest(nose, which, line%side, arcs, error)
+            call cap_and_rest(nose, which, line%side, strokes, error)
         else
-            call cap_and_rest(nose, which, line%plan, arcs, error)
+            call cap_and_rest(nose, which, line%plan, strokes, error)
         end if
-        if (allocated(error) .or. .not. allocated(arcs)) return
-        joint = joint_between(arcs(1), arcs(2))
+        if (allocated(error) .or. size(strokes) == 0) return
+        joint = joint_between(strokes(1), strokes(2))
         joint%line = line%name
         joint%view = which
         ledger = [ledger, joint]

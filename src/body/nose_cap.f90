@@ -23,12 +23,12 @@ module body_nose_cap
     use body_nose_cone, only: cone_type, offset_at
     use deck_job, only: view
     use geom_arc, only: arc_type, end_type, line_between
-    use geom_chain, only: chain_piece, chain_place, chain_type, new_chain
+    use geom_chain, only: chain_piece, chain_type, new_chain
     use geom_jet, only: jet_type
     use geom_joint, only: match_start
-    use geom_place, only: at_finish
+    use geom_place, only: at_finish, at_start
     use geom_span, only: new_span
-    use geom_subarc, only: part_of
+    use geom_stroke, only: conic_stroke, stroke_part, stroke_place, stroke_tangent, stroke_type
     implicit none (type, external)
     private
 
@@ -99,59 +99,66 @@ contains
         real(dp), intent(in) :: gap                         !! largest gap in x, deck units
         type(chain_type), intent(inout) :: chain            !! the view, sound by `check_cap`
         type(error_type), allocatable, intent(out) :: error !! see above
-        type(arc_type), allocatable :: arcs(:)
+        type(stroke_type), allocatable :: strokes(:)
         type(chain_type) :: rounded
 
-        call cap_and_rest(nose, which, chain, arcs, error)
-        if (allocated(error) .or. .not. allocated(arcs)) return
-        call new_chain(arcs, gap, rounded, error)
+        allocate (strokes(0))
+        call cap_and_rest(nose, which, chain, strokes, error)
+        if (allocated(error) .or. size(strokes) == 0) return
+        call new_chain(strokes, gap, rounded, error)
         if (.not. allocated(error)) chain = rounded
     end subroutine put_cap
 
-    !> The arcs of a rounded view, the cap first; not allocated for a constant on the axis.
+    !> The strokes of a rounded view, the cap first; none for a constant on the axis.
     !>
     !> Fails as `match_start`.
-    pure subroutine cap_and_rest(nose, which, chain, arcs, error)
+    pure subroutine cap_and_rest(nose, which, chain, strokes, error)
         type(nose_type), intent(in) :: nose                     !! with its height
         integer, intent(in) :: which                            !! `view%side` or `view%plan`
         type(chain_type), intent(in) :: chain                   !! the view, sound by `check_cap`
-        type(arc_type), allocatable, intent(out) :: arcs(:)     !! towards greater stations
+        type(stroke_type), allocatable, intent(out) :: strokes(:) !! towards greater stations
         type(error_type), allocatable, intent(out) :: error     !! see above
-        type(arc_type), allocatable :: rest(:)
+        type(stroke_type), allocatable :: rest(:)
         type(arc_type) :: cap
         type(jet_type) :: offset
         real(dp) :: tip(2)
         logical :: is_vertical
 
         call offset_at(nose%cone, chain, which, nose%blend, offset, is_vertical)
-        if (is_on_axis(nose, offset) .and. chain%is_constant) return
+        if (is_on_axis(nose, offset) .and. chain%is_constant) then
+            allocate (strokes(0))
+            return
+        end if
         tip = [nose%tip(1), merge(nose%tip(2), 0.0_dp, which == view%side)]
         call cut_off(chain, nose, rest)
         if (is_on_axis(nose, offset)) then
             cap = line_between(tip, rest(1)%start)
         else
             call match_start(new_span(end_type(tip, [0.0_dp, 1.0_dp]), &
-                end_type(rest(1)%start, rest(1)%start_tangent)), &
+                end_type(rest(1)%start, stroke_tangent(rest(1), at_start))), &
                 -sign(1.0_dp, offset%value)/(nose%radius*(offset%value/nose%height)**2), &
                 cap, error)
             if (allocated(error)) return
         end if
-        arcs = [cap, rest]
+        allocate (strokes(1 + size(rest)))
+        strokes(1) = conic_stroke(cap)
+        strokes(2:) = rest
     end subroutine cap_and_rest
 
-    !> The arcs of a view aft of the blending station; of a constant a straight line.
+    !> The strokes of a view aft of the blending station; of a constant a straight line.
     pure subroutine cut_off(chain, nose, rest)
         type(chain_type), intent(in) :: chain               !! a view
         type(nose_type), intent(in) :: nose                 !! the nose
-        type(arc_type), allocatable, intent(out) :: rest(:) !! towards greater stations
+        type(stroke_type), allocatable, intent(out) :: rest(:) !! towards greater stations
 
         if (chain%is_constant) then
             allocate (rest(1))
-            rest(1) = line_between([nose%blend, chain%constant], [nose%cone%aft, chain%constant])
+            rest(1) = conic_stroke(line_between([nose%blend, chain%constant], &
+                [nose%cone%aft, chain%constant]))
             return
         end if
-        rest = chain%arc(chain_piece(chain, nose%blend):)
-        rest(1) = part_of(rest(1), chain_place(rest(1), nose%blend), at_finish)
+        rest = chain%stroke(chain_piece(chain, nose%blend):)
+        rest(1) = stroke_part(rest(1), stroke_place(rest(1), nose%blend), at_finish)
     end subroutine cut_off
 
 end module body_nose_cap

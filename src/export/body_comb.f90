@@ -7,12 +7,11 @@
 module export_body_comb
     use base_error, only: error_type
     use base_kinds, only: dp
-    use export_body_drawing, only: stroke_type
-    use geom_arc, only: arc_type
-    use geom_arc_point, only: curvature, point, tangent
+    use export_body_drawing, only: drawn_stroke_type => stroke_type
     use geom_chain, only: chain_type
-    use geom_length, only: arc_length, places_by_length
     use geom_place, only: place_type
+    use geom_stroke, only: stroke_curvature, stroke_point, stroke_tangent, stroke_type
+    use geom_stroke_length, only: stroke_length, stroke_places
     implicit none (type, external)
     private
 
@@ -27,8 +26,8 @@ module export_body_comb
 
     !> A comb.
     type :: comb_type
-        type(stroke_type), allocatable :: tooth(:)  !! each from the line outwards
-        type(stroke_type), allocatable :: ridge(:)  !! one an arc
+        type(drawn_stroke_type), allocatable :: tooth(:)  !! each from the line outwards
+        type(drawn_stroke_type), allocatable :: ridge(:)  !! one an arc
         real(dp) :: factor = 0.0_dp                 !! tooth over curvature; 0: straight
         real(dp) :: greatest = 0.0_dp               !! curvature of largest magnitude, 1/deck unit
         real(dp) :: greatest_at = 0.0_dp            !! its station, deck units
@@ -50,13 +49,13 @@ contains
         type(chain_type), intent(in) :: chain   !! not a constant
         real(dp), intent(in) :: reach           !! length of a full tooth, deck units
         real(dp), intent(in) :: spacing         !! from tooth to tooth, deck units
-        type(sample_type) :: samples(size(chain%arc))
+        type(sample_type) :: samples(size(chain%stroke))
         real(dp), allocatable :: values(:)
         integer :: i, k
 
         allocate (comb%tooth(0), comb%ridge(0), values(0))
         do i = 1, size(samples)
-            call take_sample(chain%arc(i), spacing, samples(i))
+            call take_sample(chain%stroke(i), spacing, samples(i))
             values = [values, abs(samples(i)%curvature)]
             if (size(samples(i)%curvature) == 0) cycle
             k = maxloc(abs(samples(i)%curvature), dim=1)
@@ -83,9 +82,9 @@ contains
         if (factor >= 5.0_dp*power) round_factor = 5.0_dp*power
     end function round_factor
 
-    !> Curvature at equal lengths along an arc.
-    pure subroutine take_sample(arc, spacing, sample)
-        type(arc_type), intent(in) :: arc           !! towards greater x
+    !> Curvature at equal lengths along a stroke.
+    pure subroutine take_sample(stroke, spacing, sample)
+        type(stroke_type), intent(in) :: stroke     !! towards greater x
         real(dp), intent(in) :: spacing             !! from tooth to tooth, deck units
         type(sample_type), intent(out) :: sample    !! empty where lengths can't be worked
         type(place_type), allocatable :: places(:)
@@ -93,19 +92,19 @@ contains
         real(dp) :: length, ahead(2)
         integer :: i, count
 
-        call arc_length(arc, length, error)
+        call stroke_length(stroke, length, error)
         if (.not. allocated(error)) then
             count = max(least_points, points_a_tooth*ceiling(length/spacing) + 1)
-            call places_by_length(arc, count, places, error)
+            call stroke_places(stroke, count, places, error)
         end if
         if (allocated(error)) allocate (sample%at(2, 0), sample%outwards(2, 0), sample%curvature(0))
         if (allocated(error)) return
         allocate (sample%at(2, count), sample%outwards(2, count), sample%curvature(count))
         do i = 1, count
-            sample%at(:, i) = point(arc, places(i))
-            ahead = tangent(arc, places(i))
+            sample%at(:, i) = stroke_point(stroke, places(i))
+            ahead = stroke_tangent(stroke, places(i))
             sample%outwards(:, i) = [-ahead(2), ahead(1)]/norm2(ahead)
-            sample%curvature(i) = curvature(arc, places(i))
+            sample%curvature(i) = stroke_curvature(stroke, places(i))
         end do
     end subroutine take_sample
 
@@ -114,7 +113,7 @@ contains
         type(sample_type), intent(in) :: sample !! along an arc
         real(dp), intent(in) :: longest         !! tooth, deck units
         type(comb_type), intent(inout) :: comb  !! with its factor
-        type(stroke_type) :: ridge
+        type(drawn_stroke_type) :: ridge
         real(dp) :: tooth
         integer :: i
 
@@ -125,7 +124,7 @@ contains
             ridge%at(:, i) = sample%at(:, i) + tooth*sample%outwards(:, i)
             if (modulo(i, points_a_tooth) /= 1 .and. i /= size(sample%curvature)) cycle
             comb%tooth = [comb%tooth, &
-                stroke_type(reshape([sample%at(:, i), ridge%at(:, i)], [2, 2]))]
+                drawn_stroke_type(reshape([sample%at(:, i), ridge%at(:, i)], [2, 2]))]
         end do
         comb%ridge = [comb%ridge, ridge]
     end subroutine add_teeth

@@ -16,7 +16,7 @@ module export_body_curves
 
 contains
 
-    !> The arcs of a view of a line, each a stroke of station and ordinate. A constant is drawn over
+    !> The strokes of a view of a line, each a row of station and ordinate. A constant is drawn over
     !> the stations given.
     pure function chain_strokes(chain, range) result(strokes)
         type(chain_type), intent(in) :: chain           !! the view
@@ -28,9 +28,9 @@ contains
             allocate (strokes(1))
             strokes(1)%at = reshape([range(1), chain%constant, range(2), chain%constant], [2, 2])
         else
-            allocate (strokes(size(chain%arc)))
-            do i = 1, size(chain%arc)
-                strokes(i)%at = polyline(chain%arc(i))
+            allocate (strokes(size(chain%stroke)))
+            do i = 1, size(chain%stroke)
+                strokes(i)%at = polyline(chain%stroke(i))
             end do
         end if
     end function chain_strokes

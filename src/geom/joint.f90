@@ -1,4 +1,4 @@
-!> Where two arcs meet: how position, direction and curvature jump; and the arc that begins or ends
+!> Where two strokes meet: how position, direction and curvature jump; and the arc that begins or ends
 !> with a given curvature, so that there is no jump.
 !>
 !> With l1 the way from the start to the intersection of the end tangents, l3 that from there to
@@ -15,9 +15,9 @@ module geom_joint
     use base_kinds, only: dp
     use base_text, only: compact
     use geom_arc, only: arc_type
-    use geom_arc_point, only: curvature
     use geom_place, only: at_finish, at_start
     use geom_span, only: arc_of_ends, has_corner, is_level, span_type
+    use geom_stroke, only: stroke_curvature, stroke_tangent, stroke_type
     use geom_twofold, only: operator(*), operator(-), operator(/), sqrt, to_real, twofold, &
         twofold_type
     use geom_vector, only: cross, dot
@@ -36,18 +36,18 @@ module geom_joint
 
 contains
 
-    !> The jump from the end of an arc to the start of the next.
+    !> The jump from the end of a stroke to the start of the next.
     pure type(jump_type) function jump_between(before, after) result(jump)
-        type(arc_type), intent(in) :: before !! an arc
-        type(arc_type), intent(in) :: after  !! the next, in the same direction
+        type(stroke_type), intent(in) :: before !! a stroke
+        type(stroke_type), intent(in) :: after  !! the next, in the same direction
         type(twofold_type) :: ahead(2), turned(2)
 
         jump%position = after%start - before%finish
         jump%gap = norm2(jump%position)
-        ahead = twofold(before%finish_tangent)
-        turned = twofold(after%start_tangent)
+        ahead = twofold(stroke_tangent(before, at_finish))
+        turned = twofold(stroke_tangent(after, at_start))
         jump%direction = degrees*atan2(to_real(cross(ahead, turned)), to_real(dot(ahead, turned)))
-        jump%curvature = curvature(after, at_start) - curvature(before, at_finish)
+        jump%curvature = stroke_curvature(after, at_start) - stroke_curvature(before, at_finish)
     end function jump_between
 
     !> The arc of a span that begins with a curvature.

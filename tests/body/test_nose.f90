@@ -132,9 +132,9 @@ contains
         type(chain_type), intent(in) :: view
         real(dp), intent(in) :: offset, height
 
-        call tap%ok(view%arc(1)%start_tangent(1) == 0.0_dp .and. &
-            view%arc(1)%start_tangent(2)*offset > 0.0_dp, 'its cap begins upright, outwards')
-        call tap%near(curvature(view%arc(1), at_start)*(offset/height)**2, &
+        call tap%ok(view%stroke(1)%arc%start_tangent(1) == 0.0_dp .and. &
+            view%stroke(1)%arc%start_tangent(2)*offset > 0.0_dp, 'its cap begins upright, outwards')
+        call tap%near(curvature(view%stroke(1)%arc, at_start)*(offset/height)**2, &
             -sign(1.0_dp, offset), 1.0e-10_dp, 'with the radius of its share')
     end subroutine prove_view
 
@@ -145,15 +145,15 @@ contains
             'STRAIGHT,-5.,3.,80.,90.|LINE,ANG,ANGLE|STRAIGHT,5.,90.,80.,85.|'// &
             'SECTION,UP,UCL,USH,MHB,0.,ANG|SECTION,FIN,FIN,FSH,UCL,0.,999.999')
         call tap%same(words_of(faults), '', 'lines aft of the cap do no harm')
-        call tap%ok(size(body%lines(5)%side%arc) == 1 .and. body%lines(5)%from == 16.0_dp, &
+        call tap%ok(size(body%lines(5)%side%stroke) == 1 .and. body%lines(5)%from == 16.0_dp, &
             'they stay as they are')
         call tap%ok(body%lines(7)%from == -5.0_dp, 'so does a line that no section takes')
-        call tap%ok(body%lines(8)%from == 5.0_dp .and. size(body%lines(8)%angle%arc) == 1, &
+        call tap%ok(body%lines(8)%from == 5.0_dp .and. size(body%lines(8)%angle%stroke) == 1, &
             'and an angle')
         call build('NOSE,15.|'//cone(:index(cone, 'LINE,MHB') - 1)//'LINE,MHB,SIDE,0.|LINE,MHB,'// &
             'PLAN|STRAIGHT,0.,0.,80.,60.|LINE,LCL,SIDE,0.|SECTION,LO,LCL,USH,MHB,0.,999.999')
         call tap%same(words_of(faults), '', 'a flat bottom leaves the nose with the axis')
-        call tap%ok(size(body%lines(4)%side%arc) == 2 .and. body%lines(4)%to == 80.0_dp, &
+        call tap%ok(size(body%lines(4)%side%stroke) == 2 .and. body%lines(4)%to == 80.0_dp, &
             'off which the constant is rounded')
     end subroutine prove_bystanders
 

@@ -5,10 +5,11 @@ program test_nose_cap
     use body_nose_cap, only: cap_and_rest, check_cap, new_nose, nose_type, put_cap
     use body_nose_cone, only: cone_type
     use deck_job, only: view
-    use geom_arc, only: arc_type, end_type, weight
+    use geom_arc, only: end_type, weight
     use geom_arc_point, only: curvature, tangent
     use geom_chain, only: chain_type, chain_value
     use geom_place, only: at_finish, at_start
+    use geom_stroke, only: stroke_type
     use support_bodies, only: conic_view, constant_view, straight_view
     use support_tap, only: tap_type
     implicit none (type, external)
@@ -17,7 +18,7 @@ program test_nose_cap
     type(tap_type) :: tap
     type(nose_type) :: nose
     type(chain_type) :: chain
-    type(arc_type), allocatable :: arcs(:)
+    type(stroke_type), allocatable :: strokes(:)
     type(error_type), allocatable :: error
 
     !> Slope 3/4 from (100, 5), axis level, radius 15.
@@ -29,12 +30,12 @@ program test_nose_cap
     chain = straight_view([100.0_dp, 5.0_dp], [180.0_dp, 65.0_dp])
     call check_cap(nose, chain, view%side, error)
     call tap%ok(.not. allocated(error), 'the steepest line has a cap')
-    call cap_and_rest(nose, view%side, chain, arcs, error)
-    call tap%ok(size(arcs) == 2 .and. arcs(2)%is_line, 'before a straight rest')
-    call tap%ok(all(arcs(1)%finish == [116.0_dp, 17.0_dp]), 'they share the blend')
-    call tap%near(weight(arcs(1)), cos(0.5_dp*acos(0.6_dp)), good, 'it is the arc of a circle')
-    call tap%near(curvature(arcs(1), at_start), -1.0_dp/15.0_dp, good, 'of that radius')
-    call tap%near(curvature(arcs(1), at_finish), -1.0_dp/15.0_dp, good, 'all the way')
+    call cap_and_rest(nose, view%side, chain, strokes, error)
+    call tap%ok(size(strokes) == 2 .and. strokes(2)%arc%is_line, 'before a straight rest')
+    call tap%ok(all(strokes(1)%arc%finish == [116.0_dp, 17.0_dp]), 'they share the blend')
+    call tap%near(weight(strokes(1)%arc), cos(0.5_dp*acos(0.6_dp)), good, 'it is the arc of a circle')
+    call tap%near(curvature(strokes(1)%arc, at_start), -1.0_dp/15.0_dp, good, 'of that radius')
+    call tap%near(curvature(strokes(1)%arc, at_finish), -1.0_dp/15.0_dp, good, 'all the way')
     call put_cap(nose, view%side, 0.0_dp, chain, error)
     call tap%near(chain_value(chain, 113.0_dp), 14.0_dp, good, 'through (113, 14)')
     call tap%ok(all(chain%knot == [110.0_dp, 116.0_dp, 180.0_dp]), 'and a chain with the rest')
@@ -47,7 +48,7 @@ program test_nose_cap
     call tap%ok(chain%is_constant, 'a constant on the axis stays')
     chain = straight_view([90.0_dp, 5.0_dp], [180.0_dp, 5.0_dp])
     call put_cap(nose, view%side, 0.0_dp, chain, error)
-    call tap%ok(all(chain%knot == [110.0_dp, 116.0_dp, 180.0_dp]) .and. chain%arc(1)%is_line, &
+    call tap%ok(all(chain%knot == [110.0_dp, 116.0_dp, 180.0_dp]) .and. chain%stroke(1)%arc%is_line, &
         'a line on it stays straight')
 
     chain = straight_view([110.0_dp, 5.0_dp], [180.0_dp, 75.0_dp])
@@ -70,12 +71,12 @@ program test_nose_cap
         'on an oblique axis it is the circle, sheared')
     chain = conic_view(end_type([0.0_dp, 0.0_dp], [1.0_dp, 0.5_dp]), [20.0_dp, 8.0_dp], &
         end_type([40.0_dp, 12.0_dp], [1.0_dp, 0.1_dp]))
-    call cap_and_rest(nose, view%plan, chain, arcs, error)
-    call tap%near(curvature(arcs(1), at_start), -1.0_dp/(15.0_dp*(6.72_dp/12.0_dp)**2), good, &
+    call cap_and_rest(nose, view%plan, chain, strokes, error)
+    call tap%near(curvature(strokes(1)%arc, at_start), -1.0_dp/(15.0_dp*(6.72_dp/12.0_dp)**2), good, &
         'a curved line gets the radius of its share')
-    call tap%ok(arcs(1)%start_tangent(1) == 0.0_dp .and. &
-        arcs(1)%start_tangent(2) > 0.0_dp, 'upright')
-    associate (along => tangent(arcs(1), at_finish))
+    call tap%ok(strokes(1)%arc%start_tangent(1) == 0.0_dp .and. &
+        strokes(1)%arc%start_tangent(2) > 0.0_dp, 'upright')
+    associate (along => tangent(strokes(1)%arc, at_finish))
         call tap%near(along(2)/along(1), 0.34_dp, good, 'up to its own slope')
     end associate
     call put_cap(nose, view%plan, 0.0_dp, chain, error)

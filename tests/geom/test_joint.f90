@@ -8,6 +8,7 @@ program test_joint
     use geom_joint, only: jump_between, jump_type, match_finish, match_start
     use geom_place, only: at_finish, at_shoulder, at_start
     use geom_span, only: new_span, span_by_corner
+    use geom_stroke, only: conic_stroke
     use support_random, only: random_type
     use support_tap, only: tap_type
     implicit none (type, external)
@@ -28,24 +29,24 @@ contains
 
     !> Jumps known in closed form.
     subroutine check_jumps()
-        jump = jump_between(line_between([0.0_dp, 0.0_dp], [1.0_dp, 1.0_dp]), &
-            line_between([1.0_dp, 1.0_dp], [2.0_dp, 2.0_dp]))
+        jump = jump_between(conic_stroke(line_between([0.0_dp, 0.0_dp], [1.0_dp, 1.0_dp])), &
+            conic_stroke(line_between([1.0_dp, 1.0_dp], [2.0_dp, 2.0_dp])))
         call tap%ok(jump%gap == 0.0_dp .and. jump%direction == 0.0_dp .and. &
             jump%curvature == 0.0_dp, &
             'a line goes on in a line without a jump')
-        jump = jump_between(line_between([0.0_dp, 0.0_dp], [1.0_dp, 0.0_dp]), &
-            line_between([1.25_dp, -1.0_dp], [2.25_dp, 0.0_dp]))
+        jump = jump_between(conic_stroke(line_between([0.0_dp, 0.0_dp], [1.0_dp, 0.0_dp])), &
+            conic_stroke(line_between([1.25_dp, -1.0_dp], [2.25_dp, 0.0_dp])))
         call tap%ok(all(jump%position == [0.25_dp, -1.0_dp]), &
             'the jump of position is from end to start')
         call tap%near(jump%gap, sqrt(17.0_dp)/4.0_dp, 3.0e-16_dp, 'the gap is its length')
         call tap%near(jump%direction, 45.0_dp, 1.0e-14_dp, 'a break to the left is positive')
-        jump = jump_between(line_between([0.0_dp, 0.0_dp], [1.0_dp, 0.0_dp]), &
-            line_between([1.0_dp, 0.0_dp], [0.0_dp, -1.0_dp]))
+        jump = jump_between(conic_stroke(line_between([0.0_dp, 0.0_dp], [1.0_dp, 0.0_dp])), &
+            conic_stroke(line_between([1.0_dp, 0.0_dp], [0.0_dp, -1.0_dp])))
         call tap%near(jump%direction, -135.0_dp, 1.0e-13_dp, &
             'one to the right negative, past 90 too')
         call circle_by_radius([0.0_dp, 0.0_dp], [5.0_dp, 5.0_dp], -5.0_dp, before, error)
         call circle_by_radius([5.0_dp, 5.0_dp], [7.0_dp, 3.0_dp], -2.0_dp, arc, error)
-        jump = jump_between(before, arc)
+        jump = jump_between(conic_stroke(before), conic_stroke(arc))
         call tap%near(jump%direction, 0.0_dp, 1.0e-14_dp, &
             'quarter circles of 5 and 2 meet smoothly')
         call tap%near(jump%curvature, -0.3_dp, 2.0e-16_dp, &

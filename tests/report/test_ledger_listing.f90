@@ -4,6 +4,7 @@ program test_ledger_listing
     use base_output, only: output_type
     use body_ledger, only: joint_between, joint_type
     use geom_arc, only: line_between
+    use geom_stroke, only: conic_stroke
     use report_ledger_listing, only: print_ledger
     use report_ordinate, only: new_form
     use report_page, only: page_type
@@ -17,8 +18,8 @@ program test_ledger_listing
     type(output_type) :: out, nothing
 
     ! Two lines at right angles, slopes 1 and -1: the break is 90 degrees to the right.
-    joints(1) = joint_between(line_between([0.0_dp, 0.0_dp], [10.0_dp, 10.0_dp]), &
-        line_between([10.0_dp, 10.0_dp], [20.0_dp, 0.0_dp]))
+    joints(1) = joint_between(conic_stroke(line_between([0.0_dp, 0.0_dp], [10.0_dp, 10.0_dp])), &
+        conic_stroke(line_between([10.0_dp, 10.0_dp], [20.0_dp, 0.0_dp])))
     joints(1)%line = 'UCL'
     call page%set_heading('TITLE', 'deck.crd', 'INCHES')
     call print_ledger(page, joints, new_form('INCHES', 'INCHES', 3), out)

@@ -86,7 +86,7 @@ contains
         line%name = name
         line%has_side = .true.
         line%side = side
-        line%has_plan = plan%is_constant .or. allocated(plan%arc)
+        line%has_plan = plan%is_constant .or. allocated(plan%stroke)
         line%plan = plan
         call limit_line(line)
     end function control_line

@@ -1,0 +1,250 @@
+!> A stroke: one piece of a line, of whatever kind. A control line is a chain of strokes; what is
+!> done with lines is done with strokes and asks for no kind.
+!>
+!> A place on a stroke that is no conic is alpha : beta with the parameter t = beta/(alpha + beta).
+module geom_stroke
+    use base_kinds, only: dp
+    use base_tolerances, only: decimal_noise, ulp
+    use geom_arc, only: arc_type, reversed
+    use geom_arc_point, only: arc_curvature => curvature, arc_point => point, arc_tangent => tangent
+    use geom_bezier, only: bezier_derivative, bezier_jet, bezier_part, bezier_point
+    use geom_crossing, only: crossing, turning_places
+    use geom_place, only: at_finish, at_start, is_finish, is_start, place_at, place_type
+    use geom_subarc, only: part_of
+    use geom_twofold, only: operator(+), operator(/), to_real
+    use geom_vector, only: cross
+    implicit none (type, external)
+    private
+
+    public :: stroke_type, conic_stroke, bezier_stroke, reversed_stroke, stroke_part
+    public :: stroke_point, stroke_tangent, stroke_curvature, stroke_place, stroke_turn
+
+    !> The kinds of stroke.
+    type, public :: stroke_list
+        integer :: conic = 1        !! an arc of a conic, or a straight line
+        integer :: bezier = 2       !! a polynomial curve
+    end type stroke_list
+
+    !> The kinds by name.
+    type(stroke_list), parameter, public :: stroke_kind = stroke_list()
+
+    !> A stroke, y over x, deck units.
+    type :: stroke_type
+        integer :: kind = 1                     !! one of `stroke_kind%...`
+        real(dp) :: start(2) = 0.0_dp           !! its first point
+        real(dp) :: finish(2) = 0.0_dp          !! its last point
+        type(arc_type) :: arc                   !! of a conic
+        real(dp), allocatable :: pole(:, :)     !! of a Bezier curve, shape (2, degree + 1)
+    end type stroke_type
+
+    !> Halvings of the parameter that place a point: as many as a double has bits, and some.
+    integer, parameter :: most_steps = 80
+    !> Halvings in the search for a turn, and the stretch of the parameter that is halved no more.
+    integer, parameter :: deepest = 50
+    real(dp), parameter :: shortest = 1.0e-12_dp
+
+contains
+
+    !> A conic arc as a stroke.
+    elemental type(stroke_type) function conic_stroke(arc) result(stroke)
+        type(arc_type), intent(in) :: arc !! any arc
+        stroke%kind = stroke_kind%conic
+        stroke%start = arc%start
+        stroke%finish = arc%finish
+        stroke%arc = arc
+    end function conic_stroke
+
+    !> A Bezier curve as a stroke.
+    pure type(stroke_type) function bezier_stroke(pole) result(stroke)
+        real(dp), intent(in) :: pole(:, :) !! two or more poles, shape (2, degree + 1)
+        stroke%kind = stroke_kind%bezier
+        stroke%start = pole(:, 1)
+        stroke%finish = pole(:, size(pole, 2))
+        stroke%pole = pole
+    end function bezier_stroke
+
+    !> The same stroke, run through backwards.
+    pure type(stroke_type) function reversed_stroke(stroke) result(back)
+        type(stroke_type), intent(in) :: stroke !! any
+        if (stroke%kind == stroke_kind%conic) then
+            back = conic_stroke(reversed(stroke%arc))
+        else
+            back = bezier_stroke(stroke%pole(:, size(stroke%pole, 2):1:-1))
+        end if
+    end function reversed_stroke
+
+    !> The part of a stroke between two places.
+    pure type(stroke_type) function stroke_part(stroke, first, second) result(part)
+        type(stroke_type), intent(in) :: stroke     !! any
+        type(place_type), intent(in) :: first       !! where the part begins
+        type(place_type), intent(in) :: second      !! where it ends
+        if (stroke%kind == stroke_kind%conic) then
+            part = conic_stroke(part_of(stroke%arc, first, second))
+        else
+            part = bezier_stroke(bezier_part(stroke%pole, parameter_of(first), &
+                parameter_of(second)))
+        end if
+    end function stroke_part
+
+    !> The usual parameter of a place.
+    elemental real(dp) function parameter_of(place) result(t)
+        type(place_type), intent(in) :: place !! any
+        t = to_real(place%beta/(place%alpha + place%beta))
+    end function parameter_of
+
+    !> The point at a place, deck units.
+    pure function stroke_point(stroke, place) result(point)
+        type(stroke_type), intent(in) :: stroke !! any
+        type(place_type), intent(in) :: place   !! where on it
+        real(dp) :: point(2)
+
+        if (stroke%kind == stroke_kind%conic) then
+            point = arc_point(stroke%arc, place)
+        else if (is_start(place)) then
+            point = stroke%start
+        else if (is_finish(place)) then
+            point = stroke%finish
+        else
+            point = bezier_point(stroke%pole, parameter_of(place))
+        end if
+    end function stroke_point
+
+    !> The tangent at a place, forward along the stroke; its length has no meaning. Where the first
+    !> derivative vanishes, at an end whose poles are one, it is the way to the next pole.
+    pure function stroke_tangent(stroke, place) result(tangent)
+        type(stroke_type), intent(in) :: stroke !! any
+        type(place_type), intent(in) :: place   !! where on it
+        real(dp) :: tangent(2)
+        real(dp) :: point(2), second(2)
+        integer :: i
+
+        if (stroke%kind == stroke_kind%conic) then
+            tangent = arc_tangent(stroke%arc, place)
+            return
+        end if
+        call bezier_jet(stroke%pole, parameter_of(place), point, tangent, second)
+        if (any(abs(tangent) > 0.0_dp)) return
+        do i = 2, size(stroke%pole, 2)
+            tangent = stroke%pole(:, i) - stroke%start
+            if (is_finish(place)) &
+                tangent = stroke%finish - stroke%pole(:, size(stroke%pole, 2) - i + 1)
+            if (any(abs(tangent) > 0.0_dp)) return
+        end do
+    end function stroke_tangent
+
+    !> The curvature at a place, 1/deck unit, positive where the stroke turns left.
+    pure real(dp) function stroke_curvature(stroke, place) result(curvature)
+        type(stroke_type), intent(in) :: stroke !! any
+        type(place_type), intent(in) :: place   !! where on it
+        real(dp) :: point(2), first(2), second(2), pace
+
+        if (stroke%kind == stroke_kind%conic) then
+            curvature = arc_curvature(stroke%arc, place)
+            return
+        end if
+        call bezier_jet(stroke%pole, parameter_of(place), point, first, second)
+        pace = norm2(first)
+        curvature = 0.0_dp
+        if (pace > 0.0_dp) curvature = cross(first, second)/pace**3
+    end function stroke_curvature
+
+    !> The place of an x on a stroke towards greater x that turns back nowhere; beyond its ends the
+    !> nearer one.
+    pure type(place_type) function stroke_place(stroke, x) result(place)
+        type(stroke_type), intent(in) :: stroke !! towards greater x
+        real(dp), intent(in) :: x               !! deck units
+
+        if (x <= stroke%start(1)) then
+            place = at_start
+        else if (x >= stroke%finish(1)) then
+            place = at_finish
+        else if (stroke%kind == stroke_kind%conic) then
+            place = crossing(stroke%arc, 1, x, rising=.true.)
+        else
+            place = place_at(parameter_at(stroke%pole(1:1, :), x))
+        end if
+    end function stroke_place
+
+    !> The parameter where a polynomial that rises takes a value between those at its ends: Newton's
+    !> method, kept between bounds that close in.
+    pure real(dp) function parameter_at(pole, x) result(t)
+        real(dp), intent(in) :: pole(:, :)  !! of the polynomial, shape (1, degree + 1)
+        real(dp), intent(in) :: x           !! the value
+        real(dp) :: bounds(2), value(1), pace(1), bend(1)
+        integer :: i
+
+        bounds = [0.0_dp, 1.0_dp]
+        t = (x - pole(1, 1))/(pole(1, size(pole, 2)) - pole(1, 1))
+        do i = 1, most_steps
+            call bezier_jet(pole, t, value, pace, bend)
+            if (abs(value(1) - x) <= 0.0_dp) return
+            bounds(merge(1, 2, value(1) < x)) = t
+            if (abs(value(1) - x) < abs(pace(1))*(bounds(2) - bounds(1))) then
+                t = t - (value(1) - x)/pace(1)
+            else
+                t = 0.5_dp*sum(bounds)
+            end if
+            if (t <= bounds(1) .or. t >= bounds(2)) t = 0.5_dp*sum(bounds)
+            if (t <= bounds(1) .or. t >= bounds(2)) return
+        end do
+    end function parameter_at
+
+    !> Whether a stroke on its way to greater x turns back, and where. A turn within decimal noise of
+    !> an end is that end.
+    pure subroutine stroke_turn(stroke, turns, at)
+        type(stroke_type), intent(in) :: stroke     !! finish not before start
+        logical, intent(out) :: turns               !! it does
+        real(dp), intent(out) :: at(2)              !! where: a point; zero where it does not
+        type(place_type), allocatable :: places(:)
+        real(dp) :: noise
+        integer :: i
+
+        noise = decimal_noise*ulp*max(abs(stroke%start(1)), abs(stroke%finish(1)))
+        turns = .false.
+        at = 0.0_dp
+        allocate (places(0))
+        if (stroke%kind /= stroke_kind%conic) then
+            call find_fall(bezier_derivative(stroke%pole(1:1, :)), noise, turns, at(1))
+            if (turns) at = bezier_point(stroke%pole, at(1))
+            return
+        end if
+        places = turning_places(stroke%arc, 1)
+        do i = 1, size(places)
+            at = arc_point(stroke%arc, places(i))
+            turns = at(1) < stroke%start(1) - noise .or. at(1) > stroke%finish(1) + noise
+            if (turns) return
+        end do
+        at = 0.0_dp
+    end subroutine stroke_turn
+
+    !> Whether a polynomial is anywhere below zero, and where: it is not where all its poles are not.
+    !> Elsewhere its halves are looked at, and theirs, first come first.
+    pure subroutine find_fall(pole, noise, falls, t)
+        real(dp), intent(in) :: pole(:, :)  !! shape (1, degree + 1)
+        real(dp), intent(in) :: noise       !! what counts as zero
+        logical, intent(out) :: falls       !! it is
+        real(dp), intent(out) :: t          !! where; zero where it is not
+        real(dp) :: ahead(deepest), part(1, size(pole, 2))
+        integer :: left
+
+        falls = .false.
+        t = 0.0_dp
+        ahead(:2) = [1.0_dp, 0.5_dp]
+        left = 2
+        do while (left > 0)
+            part = bezier_part(pole, t, ahead(left))
+            falls = part(1, 1) < -noise
+            if (falls) return
+            if (any(part < -noise) .and. ahead(left) - t > shortest) then
+                ahead(left + 1) = 0.5_dp*(t + ahead(left))
+                left = left + 1
+            else
+                t = ahead(left)
+                left = left - 1
+            end if
+        end do
+        falls = pole(1, size(pole, 2)) < -noise
+        if (.not. falls) t = 0.0_dp
+    end subroutine find_fall
+
+end module geom_stroke
