@@ -4,6 +4,7 @@ module body_build_lines
     use base_fault, only: fault_list_type
     use base_kinds, only: dp
     use base_text, only: compact
+    use body_build_points, only: build_points
     use body_build_view, only: build_view
     use body_ledger, only: joint_type
     use body_line, only: limit_line, line_type
@@ -55,12 +56,15 @@ contains
             do j = 1, 3
                 associate (given => body%line(i)%view(j))
                     if (.not. given%is_sound) cycle
-                    if (given%origin == origin%pieces) then
+                    select case (given%origin)
+                    case (origin%pieces)
                         call build_view(body%line(i), j, gap, views(j, i)%chain, joints, faults)
-                    else if (given%origin == origin%constant) then
+                    case (origin%spline, origin%bezier)
+                        call build_points(given, gap, views(j, i)%chain, faults)
+                    case (origin%constant)
                         allocate (views(j, i)%chain)
                         call constant_chain(to_real(given%constant), views(j, i)%chain)
-                    end if
+                    end select
                 end associate
             end do
         end do

@@ -205,7 +205,7 @@ contains
         allocate (field, source=fields_of(kind))
         has_option = .false.
         if (.not. any(words_in(body_layout(kind)%options) == word)) return
-        do i = size(field) + merge(1, 2, kind == body_card%conic), field_count(card)
+        do i = size(field) + merge(1, 2, body_layout(kind)%word == ''), field_count(card)
             has_option = has_option .or. field_text(card, i) == word
         end do
     end function has_option

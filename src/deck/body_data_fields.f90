@@ -5,7 +5,7 @@ module deck_body_data_fields
     private
 
     !> The data cards, each with its points in order from the first to the last.
-    type(body_field_type), parameter, public :: data_fields(64) = [ &
+    type(body_field_type), parameter, public :: data_fields(67) = [ &
         body_field_type(card%conic, 1, 'X1', form%number, need%always, 'deck unit', &
         'first point'), &
         body_field_type(card%conic, 2, 'Y1', form%number, need%always, 'deck unit', &
@@ -133,6 +133,12 @@ module deck_body_data_fields
         body_field_type(card%radius, 5, 'Y3', form%number, need%always, 'deck unit', &
         'last point'), &
         body_field_type(card%radius, 6, 'R', form%number, need%always, 'deck unit', &
-        'radius, positive where the arc curves left from point 1 to 3')]
+        'radius, positive where the arc curves left from point 1 to 3'), &
+        body_field_type(card%point, 1, 'X', form%number, need%always, 'deck unit', &
+        'a point of the spline, or a pole of the Bezier curve'), &
+        body_field_type(card%point, 2, 'Y', form%number, need%always, 'deck unit', &
+        'a point of the spline, or a pole of the Bezier curve'), &
+        body_field_type(card%point, 3, 'END', form%either, need%optional, 'dy/dx', &
+        'first or last point of a spline: its slope; or FREE, PARABOLA')]
 
 end module deck_body_data_fields

@@ -41,7 +41,7 @@ module deck_body_layout
     !> A card: its word, the word in its second field where that tells it from its likes, the option
     !> words that may stand behind its last field, and what it is for.
     type :: body_layout_type
-        character(8) :: word = ''       !! in field 1; the conic card has none
+        character(8) :: word = ''       !! in field 1; conics and points have none
         character(8) :: second = ''     !! in field 2, or nothing
         character(40) :: options = ''   !! words that may follow the last field, in any order
         character(96) :: meaning = ''   !! what the card is for
@@ -69,11 +69,12 @@ module deck_body_layout
         integer :: body = 7, nose = 8, line = 9
         integer :: conic = 10, rho = 11, tangent = 12, tangent_rho = 13, four_points = 14
         integer :: five_points = 15, straight = 16, circle = 17, radius = 18
-        integer :: section = 19
-        integer :: points = 20, limit = 21, flange = 22, skin = 23
-        integer :: station = 24, stations = 25, buttock = 26, waterline = 27, oblique = 28, &
-            plane = 29
-        integer :: check_point = 30, check_sphere = 31, check_box = 32, end = 33
+        integer :: point = 19
+        integer :: section = 20
+        integer :: points = 21, limit = 22, flange = 23, skin = 24
+        integer :: station = 25, stations = 26, buttock = 27, waterline = 28, oblique = 29, &
+            plane = 30
+        integer :: check_point = 31, check_sphere = 32, check_box = 33, end = 34
     end type body_card_list
 
     !> Which card is which.
@@ -84,7 +85,7 @@ module deck_body_layout
         one_slope = 'LAST DXDY KNUCKLE', no_slope = 'KNUCKLE'
 
     !> The cards of a body deck besides TITLE and UNITS.
-    type(body_layout_type), parameter, public :: body_layout(33) = [ &
+    type(body_layout_type), parameter, public :: body_layout(34) = [ &
         body_layout_type('OUTPUT', '', '', &
         'unit of the listing; CSV and files keep the unit of the deck'), &
         body_layout_type('DIGITS', '', '', 'decimals of the ordinates in the listing'), &
@@ -111,6 +112,8 @@ module deck_body_layout
         'data card: the circular arc through three points'), &
         body_layout_type('RADIUS', '', no_slope, &
         'data card: the circular arc of at most 180 degrees between two points'), &
+        body_layout_type('', '', '', &
+        'data card of a SPLINE or BEZIER line: one point or pole; it has no word'), &
         body_layout_type('SECTION', '', '', &
         'a conic of the cross-section at every station of its lines'), &
         body_layout_type('POINTS', '', '', &

@@ -25,13 +25,15 @@ module deck_body_line_fields
         'radius of the nose, above zero')]
 
     !> LINE and SECTION.
-    type(body_field_type), parameter, public :: line_fields(12) = [ &
+    type(body_field_type), parameter, public :: line_fields(13) = [ &
         body_field_type(card%line, 2, 'NAME', form%name, need%always, 'none', &
         'name of the line'), &
         body_field_type(card%line, 3, 'VIEW', form%word, need%always, 'none', &
         'WL over STA, BL over STA, or degrees over STA', 'SIDE PLAN ANGLE'), &
         body_field_type(card%line, 4, 'FROM', form%either, need%optional, 'none', &
-        'line to take the view over, or a constant: no data cards follow'), &
+        'line to take the view over, or a constant; SPLINE, BEZIER: by points'), &
+        body_field_type(card%line, 5, 'PARAM', form%word, need%optional, 'none', &
+        'parameter of a SPLINE; without it CHORD', 'CHORD UNIFORM'), &
         body_field_type(card%section, 2, 'NAME', form%name, need%always, 'none', &
         'name of the section'), &
         body_field_type(card%section, 3, 'LINE1', form%name, need%always, 'none', &

@@ -41,6 +41,7 @@ module deck_job
         integer :: straight = 7     !! X1 Y1 X3 Y3
         integer :: circle = 8       !! X1 Y1 X2 Y2 X3 Y3
         integer :: radius = 9       !! X1 Y1 X3 Y3 R
+        integer :: point = 10       !! X Y of a spline's point or a pole; S at an end
     end type piece_list
     type(piece_list), parameter, public :: piece = piece_list()
 
@@ -50,8 +51,18 @@ module deck_job
         integer :: pieces = 1   !! data cards
         integer :: line = 2     !! the same view of another line
         integer :: constant = 3 !! one ordinate at every station
+        integer :: spline = 4   !! a spline through the points of data cards
+        integer :: bezier = 5   !! the Bezier curve of the poles of data cards
     end type origin_list
     type(origin_list), parameter, public :: origin = origin_list()
+
+    !> What is asked at an end of a spline.
+    type, public :: ending_list
+        integer :: free = 1     !! no bending
+        integer :: slope = 2    !! the slope on the card
+        integer :: parabola = 3 !! a parabola to the next point
+    end type ending_list
+    type(ending_list), parameter, public :: ending = ending_list()
 
     !> On which side of BL 0 a section stands.
     type, public :: side_list
@@ -96,13 +107,14 @@ module deck_job
         type(decimal_type) :: to        !! last ordinate
     end type range_type
 
-    !> One arc of a line.
+    !> One arc of a line, or one point of it.
     type :: piece_type
         integer :: kind = 0                         !! one of `piece%...`
         type(decimal_type), allocatable :: value(:) !! its numbers, in the order of `piece_list`
         integer :: first_field = 1                  !! field of the card that holds `value(1)`
         logical :: is_inverse(2) = .false.          !! S1, S3 is dX/dY
         logical :: is_slope_last = .false.          !! four points: the slope is that at point 3
+        integer :: ending = 1                       !! point of a spline: one of `ending%...`
         logical :: is_knuckle = .false.             !! a slope break at its start is intended
         logical :: is_match = .false.               !! shoulder point or rho is to be found, so that
                                                     !! the curvature at its start is that before it
@@ -115,6 +127,7 @@ module deck_job
         type(piece_type), allocatable :: piece(:)   !! from first to last
         integer :: line = 0                         !! the line it is taken from
         type(decimal_type) :: constant              !! the ordinate, deck units or degrees
+        logical :: is_uniform = .false.             !! spline: its parameter is 1 from point to point
         logical :: is_sound = .false.               !! none of its cards was in error
         type(card_type) :: card                     !! its LINE card
     end type view_type

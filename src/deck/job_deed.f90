@@ -10,7 +10,8 @@ module deck_job_deed
     use deck_job, only: check_type, cut_type, job_type, side
     use deck_job_body, only: close_body, take_body, take_nose, take_section
     use deck_job_cut, only: check_of_card, cut_of_card
-    use deck_job_line, only: close_line, is_data_card, refuse_line, take_line, take_piece
+    use deck_job_line, only: close_line, is_data_card, refuse_line, take_line, take_piece, &
+        wordless_card
     use deck_job_list, only: append
     use deck_job_setting, only: default_joint_gap, take_setting, take_standing
     use deck_job_state, only: state_type
@@ -61,7 +62,7 @@ contains
 
         word = field_text(card, 1)
         second = field_text(card, 2)
-        kind = body_card%conic
+        kind = wordless_card(state)
         if (.not. begins_as_word(word)) return
         kind = 0
         do i = 1, size(body_layout)

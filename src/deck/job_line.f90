@@ -9,21 +9,33 @@ module deck_job_line
     use deck_body_fields, only: fields_of
     use deck_body_layout, only: body_card, body_field_type
     use deck_body_value, only: decimal_in, is_filled, looks_like_number
-    use deck_job, only: control_line_type, origin, piece, piece_type, view, view_type
+    use deck_job, only: control_line_type, ending, origin, piece, piece_type, view, view_type
     use deck_job_list, only: append
     use deck_job_state, only: find_line, open_line_type, state_type, text_of
     implicit none (type, external)
     private
 
-    public :: take_line, refuse_line, take_piece, close_line, is_data_card
+    public :: take_line, refuse_line, take_piece, close_line, is_data_card, wordless_card
 
 contains
 
     !> True for the cards that stand under a LINE.
     elemental logical function is_data_card(kind)
         integer, intent(in) :: kind !! one of `body_card%...`
-        is_data_card = kind >= body_card%conic .and. kind <= body_card%radius
+        is_data_card = kind >= body_card%conic .and. kind <= body_card%point
     end function is_data_card
+
+    !> What a card without a word is: a point under a LINE by points, else a conic.
+    pure integer function wordless_card(state) result(kind)
+        type(state_type), intent(in) :: state !! the job so far
+        kind = merge(body_card%point, body_card%conic, by_points(state%open%origin))
+    end function wordless_card
+
+    !> True for a view that is given by points.
+    elemental logical function by_points(from)
+        integer, intent(in) :: from !! one of `origin%...`
+        by_points = from == origin%spline .or. from == origin%bezier
+    end function by_points
 
     !> Takes a LINE card and opens its view for data cards.
     pure subroutine take_line(state, card, faults)
@@ -40,9 +52,16 @@ contains
         if (looks_like_number(field_text(card, 4))) then
             given%origin = origin%constant
             given%constant = decimal_in(card, 4)
+        else if (field_text(card, 4) == 'SPLINE') then
+            given%origin = origin%spline
+            given%is_uniform = field_text(card, 5) == 'UNIFORM'
+        else if (field_text(card, 4) == 'BEZIER') then
+            given%origin = origin%bezier
         else if (is_filled(card, 4)) then
             given%origin = origin%line
         end if
+        if (is_filled(card, 5) .and. given%origin /= origin%spline) call warn(card, 5, &
+            'PARAM says nothing here: it is for a SPLINE', faults)
         line = find_line(state, field_text(card, 2))
         if (line == 0) then
             fresh%name = text_of(field_text(card, 2))
@@ -55,11 +74,12 @@ contains
                 call blame(card, 2, field_text(card, 2)//' has its '//field_text(card, 3)// &
                     ' already; all data cards of a view follow one LINE card', faults)
                 call refuse_line(state)
+                state%open%origin = given%origin
                 return
             end if
             target_view = given
         end associate
-        state%open = open_line_type(is_open=.true., line=line, view=which)
+        state%open = open_line_type(is_open=.true., line=line, view=which, origin=given%origin)
     end subroutine take_line
 
     !> After a LINE card in error its data cards are looked at, but not kept.
@@ -84,14 +104,19 @@ contains
         type(fault_list_type), intent(inout) :: faults  !! what is wrong with its fields is in it
         type(piece_type) :: item
 
-        if (state%open%line > 0) then
-            associate (given => state%body%line(state%open%line)%view(state%open%view))
-                if (given%origin /= origin%pieces) call blame(card, 1, &
-                    'a data card under a LINE that is taken from field 4 of its card', faults)
-            end associate
+        if (by_points(state%open%origin)) then
+            if (kind /= body_card%point) call blame(card, 1, &
+                'a conic under a LINE by points; a composite line is given by conics alone', faults)
+        else if (state%open%line > 0 .and. state%open%origin /= origin%pieces) then
+            call blame(card, 1, 'a data card under a LINE that is taken from field 4 of its card', &
+                faults)
         end if
         item = piece_of(card, kind)
-        call check_piece(item, state%open%pieces == 0, faults)
+        if (kind == body_card%point) then
+            call take_ending(item, state%open%origin, faults)
+        else
+            call check_piece(item, state%open%pieces == 0, faults)
+        end if
         call append(state%open%piece, state%open%pieces, item)
     end subroutine take_piece
 
@@ -116,6 +141,25 @@ contains
         item%is_inverse = has_option(card, kind, 'DXDY') .or. &
             [has_option(card, kind, 'DXDY1'), has_option(card, kind, 'DXDY3')]
     end function piece_of
+
+    !> Takes what stands behind a point.
+    pure subroutine take_ending(item, from, faults)
+        type(piece_type), intent(inout) :: item         !! the point
+        integer, intent(in) :: from                     !! `origin%spline` or `origin%bezier`
+        type(fault_list_type), intent(inout) :: faults  !! what is wrong is added
+
+        if (.not. is_filled(item%card, 3)) return
+        if (from == origin%bezier) then
+            call blame(item%card, 3, 'a pole has no slope; the curve begins and ends along the '// &
+                'sides of its polygon', faults)
+        else if (looks_like_number(field_text(item%card, 3))) then
+            item%ending = ending%slope
+        else if (field_text(item%card, 3) == 'PARABOLA') then
+            item%ending = ending%parabola
+        else if (field_text(item%card, 3) /= 'FREE') then
+            call blame(item%card, 3, 'END is a slope, FREE or PARABOLA', faults)
+        end if
+    end subroutine take_ending
 
     !> Looks at a piece as a whole.
     pure subroutine check_piece(item, is_first, faults)
@@ -151,12 +195,14 @@ contains
         if (state%open%line > 0) then
             associate (given => state%body%line(state%open%line)%view(state%open%view), &
                 open => state%open)
-                if (given%origin == origin%pieces .and. open%pieces == 0 .and. open%is_sound) then
+                if (open%pieces == 0 .and. open%is_sound .and. &
+                    (given%origin == origin%pieces .or. by_points(given%origin))) then
                     call blame(given%card, 2, &
                         'a LINE without data; its conics follow on data cards, or field 4 '// &
                         'names another line or a constant', faults)
                     open%is_sound = .false.
                 end if
+                if (given%origin == origin%spline) call check_endings(open, faults)
                 given%is_sound = given%is_sound .and. open%is_sound
                 allocate (given%piece(open%pieces))
                 if (open%pieces > 0) given%piece = open%piece(:open%pieces)
@@ -164,5 +210,19 @@ contains
         end if
         state%open = none
     end subroutine close_line
+
+    !> Blames what is asked at a point of a spline that is no end.
+    pure subroutine check_endings(open, faults)
+        type(open_line_type), intent(inout) :: open     !! a spline
+        type(fault_list_type), intent(inout) :: faults  !! what is wrong is added
+        integer :: i
+
+        do i = 2, open%pieces - 1
+            if (.not. is_filled(open%piece(i)%card, 3)) cycle
+            call blame(open%piece(i)%card, 3, 'END at a point inside; it is for the first and '// &
+                'the last point of a spline', faults)
+            open%is_sound = .false.
+        end do
+    end subroutine check_endings
 
 end module deck_job_line

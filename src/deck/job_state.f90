@@ -25,6 +25,7 @@ module deck_job_state
         logical :: is_open = .false.                !! data cards may follow
         integer :: line = 0                         !! which line of the body; 0: its card was bad
         integer :: view = 0                         !! which view of it
+        integer :: origin = 0                       !! where the view comes from
         logical :: is_sound = .true.                !! none of its cards was in error
         integer :: pieces = 0                       !! pieces so far
         type(piece_type), allocatable :: piece(:)   !! the pieces, with room for more
