@@ -113,7 +113,7 @@ contains
         if (dot_product(tangent, chord) < 0.0_dp) tangent = -tangent
         tangent = tangent/norm2(tangent)
         if (is_uniform) tangent = norm2(chord)*tangent
-        asked%tangent = tangent
+        allocate (asked%tangent, source=tangent)
     end function end_of
 
     !> The Bezier curve of the poles.

@@ -1,8 +1,8 @@
 !> The shape of a control line in space: one curve between any two of its joints.
 !>
-!> A view is one conic arc between joints. The line is that conic, exactly, where its other view is
-!> constant or straight, or is a conic of the same weight over the same stations: an affine image of
-!> the first. Any other line is fitted.
+!> A view is one stroke between joints. The line is that stroke, exactly, where its other view is
+!> constant or straight, or is a stroke of the same weights over the same stations: an affine image
+!> of the first. Any other line is fitted.
 module export_drawing_line
     use base_error, only: error_type
     use base_exact, only: is_equal
@@ -16,14 +16,15 @@ module export_drawing_line
     use export_drawing_join, only: gap_between, join, last_point
     use export_drawing_name, only: safe_name
     use export_drawing_path, only: paced, pace_of
-    use geom_arc, only: arc_type
-    use geom_arc_point, only: point, tangent
-    use geom_arc_spline, only: arc_spline, line_spline
+    use geom_arc_spline, only: line_spline
     use geom_bspline, only: bspline_type, spline_point
-    use geom_chain, only: chain_joints, chain_piece, chain_place, chain_type
+    use geom_chain, only: chain_joints, chain_piece, chain_type
     use geom_curve_fit, only: curve_function_type
     use geom_place, only: at_finish, at_start, place_type
-    use geom_subarc, only: part_of
+    use geom_stroke, only: is_straight, stroke_kind, stroke_part, stroke_place, stroke_point, &
+        stroke_tangent, stroke_type
+    use geom_stroke_spline, only: stroke_spline
+    use geom_vector, only: cross
     implicit none (type, external)
     private
 
@@ -33,7 +34,7 @@ module export_drawing_line
     type :: view_type
         logical :: is_constant = .false.    !! the same everywhere
         real(dp) :: constant = 0.0_dp       !! BL or WL where it is, deck units
-        type(arc_type) :: arc               !! else BL or WL over STA, towards greater STA
+        type(stroke_type) :: stroke         !! else BL or WL over STA, towards greater STA
     end type view_type
 
     !> A line between two joints.
@@ -135,12 +136,13 @@ contains
         view%is_constant = chain%is_constant
         view%constant = chain%constant
         if (chain%is_constant) return
-        associate (arc => chain%arc(chain_piece(chain, ends(1))))
-            view%arc = part_of(arc, chain_place(arc, ends(1)), chain_place(arc, ends(2)))
+        associate (stroke => chain%stroke(chain_piece(chain, ends(1))))
+            view%stroke = stroke_part(stroke, stroke_place(stroke, ends(1)), &
+                stroke_place(stroke, ends(2)))
         end associate
-        view%is_constant = view%arc%is_line &
-            .and. is_equal(view%arc%start(2), view%arc%finish(2))
-        view%constant = view%arc%start(2)
+        view%is_constant = is_straight(view%stroke) &
+            .and. is_equal(view%stroke%start(2), view%stroke%finish(2))
+        view%constant = view%stroke%start(2)
     end function view_of
 
     !> The part of the unit direction along STA at an end.
@@ -154,7 +156,7 @@ contains
         steep = 1.0_dp
         do i = 1, 2
             if (stretch%view(i)%is_constant) cycle
-            along = tangent(stretch%view(i)%arc, place)
+            along = stroke_tangent(stretch%view(i)%stroke, place)
             if (abs(along(1)) <= ulp*abs(along(2))) return
             steep = steep + (along(2)/along(1))**2
         end do
@@ -172,7 +174,7 @@ contains
         do i = 1, 2
             at(i + 1) = f%view(i)%constant
             if (f%view(i)%is_constant) cycle
-            seen = point(f%view(i)%arc, chain_place(f%view(i)%arc, at(1)))
+            seen = stroke_point(f%view(i)%stroke, stroke_place(f%view(i)%stroke, at(1)))
             at(i + 1) = seen(2)
         end do
     end function stretch_at
@@ -190,7 +192,10 @@ contains
         if (curve%is_exact) then
             curve%section = ''
             curve%is_conic = stretch%view(1)%is_constant .and. .not. stretch%view(2)%is_constant
-            if (curve%is_conic) curve%arc = stretch%view(2)%arc
+            associate (side => stretch%view(2)%stroke)
+                curve%is_conic = curve%is_conic .and. side%kind == stroke_kind%conic
+                if (curve%is_conic) curve%arc = side%arc
+            end associate
         else
             call fitted_curve(stretch, 3, tolerance, curve, error)
         end if
@@ -213,7 +218,7 @@ contains
             spline = line_spline(stretch%at(0.0_dp), stretch%at(1.0_dp))
             return
         end if
-        other = arc_spline(stretch%view(main)%arc)
+        other = stroke_spline(stretch%view(main)%stroke)
         spline = other
         last = size(spline%weight)
         deallocate (spline%pole)
@@ -224,14 +229,15 @@ contains
         associate (view => stretch%view(i), pole => spline%pole)
             if (view%is_constant) then
                 pole(i + 1, :) = view%constant
-            else if (view%arc%is_line) then
-                do k = 1, last
-                    share = (pole(1, k) - view%arc%start(1))/(view%arc%finish(1) - &
-                        view%arc%start(1))
-                    pole(i + 1, k) = (1.0_dp - share)*view%arc%start(2) + share*view%arc%finish(2)
-                end do
+            else if (is_straight(view%stroke)) then
+                associate (line => view%stroke)
+                    do k = 1, last
+                        share = (pole(1, k) - line%start(1))/(line%finish(1) - line%start(1))
+                        pole(i + 1, k) = (1.0_dp - share)*line%start(2) + share*line%finish(2)
+                    end do
+                end associate
             else
-                other = arc_spline(view%arc)
+                other = stroke_spline(view%stroke)
                 is_one = size(other%weight) == last
                 if (.not. is_one) return
                 is_one = all(abs(other%weight - spline%weight) <= type_tolerance*spline%weight)
@@ -243,7 +249,7 @@ contains
     !> True for a view that is straight.
     pure logical function is_plain(view)
         type(view_type), intent(in) :: view !! any
-        is_plain = view%is_constant .or. view%arc%is_line
+        is_plain = view%is_constant .or. is_straight(view%stroke)
     end function is_plain
 
     !> Measures a spline that should be a stretch, on both views; it is exact where it is off by no
@@ -260,7 +266,7 @@ contains
             do i = 1, 2
                 off(i) = abs(at(i + 1) - stretch%view(i)%constant)
                 if (.not. stretch%view(i)%is_constant) &
-                    off(i) = distance_off(stretch%view(i)%arc, at([1, i + 1]))
+                    off(i) = distance_from(stretch%view(i)%stroke, at([1, i + 1]))
             end do
             if (norm2(off) <= curve%error) cycle
             curve%error = norm2(off)
@@ -268,6 +274,22 @@ contains
         end do
         curve%is_exact = curve%error <= agreement_ulps*ulp*maxval(abs(curve%spline%pole))
     end subroutine prove
+
+    !> How far a point is from a stroke, of a Bezier curve as its ordinate tells it.
+    pure real(dp) function distance_from(stroke, at) result(distance)
+        type(stroke_type), intent(in) :: stroke     !! towards greater STA
+        real(dp), intent(in) :: at(2)               !! a point beside it, deck units
+        type(place_type) :: place
+        real(dp) :: along(2)
+
+        if (stroke%kind == stroke_kind%conic) then
+            distance = distance_off(stroke%arc, at)
+            return
+        end if
+        place = stroke_place(stroke, at(1))
+        along = stroke_tangent(stroke, place)
+        distance = abs(cross(at - stroke_point(stroke, place), along))/norm2(along)
+    end function distance_from
 
     !> Puts the curves of a line end to end; where they do not meet, as several contours.
     pure subroutine make_contours(curves, contours)

@@ -10,9 +10,8 @@ module export_shell_pace
     use body_line, only: line_type
     use body_taylor, only: taylor_type
     use geom_arc, only: arc_type, weight
-    use geom_arc_point, only: tangent
-    use geom_chain, only: chain_place, chain_type
-    use geom_subarc, only: part_of
+    use geom_chain, only: chain_type
+    use geom_stroke, only: stroke_kind, stroke_part, stroke_place, stroke_tangent, stroke_type
     use geom_twofold, only: to_real
     implicit none (type, external)
     private
@@ -38,7 +37,7 @@ contains
     !> The station as a polynomial of u: of the first degree, of the second where one end is blunt,
     !> of the third where both are.
     pure type(pace_type) function power_pace(lines, from, to) result(pace)
-        type(line_type), intent(in) :: lines(:) !! of the stretch; each view is one arc
+        type(line_type), intent(in) :: lines(:) !! of the stretch; each view is one stroke
         real(dp), intent(in) :: from            !! deck units
         real(dp), intent(in) :: to              !! above `from`, deck units
         integer :: i
@@ -53,26 +52,26 @@ contains
     contains
         !> Looks where a view is vertical.
         pure subroutine look_at(view)
-            type(chain_type), intent(in) :: view !! one arc, or a constant
+            type(chain_type), intent(in) :: view !! one stroke, or a constant
             if (view%is_constant) return
-            pace%is_blunt(1) = pace%is_blunt(1) .or. is_vertical_at(view%arc(1), from)
-            pace%is_blunt(2) = pace%is_blunt(2) .or. is_vertical_at(view%arc(1), to)
+            pace%is_blunt(1) = pace%is_blunt(1) .or. is_vertical_at(view%stroke(1), from)
+            pace%is_blunt(2) = pace%is_blunt(2) .or. is_vertical_at(view%stroke(1), to)
         end subroutine look_at
     end function power_pace
 
-    !> True where an arc is vertical, as cards say it.
-    pure logical function is_vertical_at(arc, sta) result(is_vertical)
-        type(arc_type), intent(in) :: arc   !! towards greater stations
-        real(dp), intent(in) :: sta         !! deck units
+    !> True where a stroke is vertical, as cards say it.
+    pure logical function is_vertical_at(stroke, sta) result(is_vertical)
+        type(stroke_type), intent(in) :: stroke !! towards greater stations
+        real(dp), intent(in) :: sta             !! deck units
         real(dp) :: along(2)
-        along = tangent(arc, chain_place(arc, sta))
+        along = stroke_tangent(stroke, stroke_place(stroke, sta))
         is_vertical = abs(along(2)) >= vertical_slope*abs(along(1))
     end function is_vertical_at
 
     !> The station as along the first curved view of some lines; a polynomial pace, as `power_pace`
     !> makes it, where there is none or its weight is too small.
     pure type(pace_type) function conic_pace(lines, from, to) result(pace)
-        type(line_type), intent(in) :: lines(:) !! of the stretch; each view is one arc
+        type(line_type), intent(in) :: lines(:) !! of the stretch; each view is one stroke
         real(dp), intent(in) :: from            !! deck units
         real(dp), intent(in) :: to              !! above `from`, deck units
         integer :: i
@@ -85,12 +84,14 @@ contains
     contains
         !> Follows a view, where it is the first curved one.
         pure subroutine follow(view)
-            type(chain_type), intent(in) :: view !! one arc, or a constant
+            type(chain_type), intent(in) :: view !! one stroke, or a constant
+            type(stroke_type) :: stroke
             type(arc_type) :: part
             if (view%is_constant .or. pace%is_conic) return
-            if (view%arc(1)%is_line) return
-            part = part_of(view%arc(1), chain_place(view%arc(1), from), &
-                chain_place(view%arc(1), to))
+            stroke = view%stroke(1)
+            if (stroke%kind /= stroke_kind%conic) return
+            stroke = stroke_part(stroke, stroke_place(stroke, from), stroke_place(stroke, to))
+            part = stroke%arc
             if (part%is_line .or. weight(part) < least_weight) return
             pace%is_conic = .true.
             pace%weight = weight(part)

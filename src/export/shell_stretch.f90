@@ -15,6 +15,7 @@ module export_shell_stretch
     use export_shell_pace, only: pace_type, power_pace
     use export_shell_stops, only: find_gaps, sections_between, stops_of
     use geom_chain, only: chain_piece, chain_type
+    use geom_stroke, only: stroke_type
     implicit none (type, external)
     private
 
@@ -121,15 +122,17 @@ contains
         end do
     end subroutine new_stretch
 
-    !> Makes a view its one arc about a station.
+    !> Makes a view its one stroke about a station.
     pure subroutine take_piece(view, sta)
         type(chain_type), intent(inout) :: view !! any chain, or none
         real(dp), intent(in) :: sta             !! deck units
-        integer :: i
-        if (view%is_constant .or. .not. allocated(view%arc)) return
-        i = chain_piece(view, sta)
-        view%arc = [view%arc(i)]
-        view%knot = [view%arc(1)%start(1), view%arc(1)%finish(1)]
+        type(stroke_type) :: stroke
+
+        if (view%is_constant .or. .not. allocated(view%stroke)) return
+        stroke = view%stroke(chain_piece(view, sta))
+        deallocate (view%stroke)
+        allocate (view%stroke(1), source=stroke)
+        view%knot = [stroke%start(1), stroke%finish(1)]
     end subroutine take_piece
 
     !> The lines that the sections of a stretch stand on, each once.

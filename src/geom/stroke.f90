@@ -17,7 +17,7 @@ module geom_stroke
     private
 
     public :: stroke_type, conic_stroke, bezier_stroke, reversed_stroke, stroke_part
-    public :: stroke_point, stroke_tangent, stroke_curvature, stroke_place, stroke_turn
+    public :: is_straight, stroke_point, stroke_tangent, stroke_curvature, stroke_place, stroke_turn
 
     !> The kinds of stroke.
     type, public :: stroke_list
@@ -62,6 +62,12 @@ contains
         stroke%finish = pole(:, size(pole, 2))
         stroke%pole = pole
     end function bezier_stroke
+
+    !> True for a straight line.
+    elemental logical function is_straight(stroke)
+        type(stroke_type), intent(in) :: stroke !! any
+        is_straight = stroke%kind == stroke_kind%conic .and. stroke%arc%is_line
+    end function is_straight
 
     !> The same stroke, run through backwards.
     pure type(stroke_type) function reversed_stroke(stroke) result(back)
