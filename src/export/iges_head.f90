@@ -1,8 +1,8 @@
 !> The first two sections of an IGES file: what it is in plain words, and the facts that readers
 !> need, of which the unit is the foremost (IGES 5.3, 2.2.4.2 and 2.2.4.3).
 !>
-!> The date of writing has no default; it is the first second of 1970 in every file, so that the
-!> same deck gives the same bytes. The date of the model has one and is left out.
+!> The standard asks for the date of writing, and readers complain where that of the model is left
+!> out; both are the first second of 1970 in every file, so that the same deck gives the same bytes.
 module export_iges_head
     use base_constants, only: version
     use base_digits, only: shortest
@@ -41,7 +41,7 @@ contains
 
         call put_words(section, 'LOFT '//version//': curves and skin of '//drawing%deck)
         call put_words(section, drawing%title)
-        call put_words(section, 'Lengths are in '//trim(drawing%units)//'; x is STA, aft; '// &
+        call put_words(section, 'Lengths in '//trim(drawing%units)//'; x is STA, aft; '// &
             'y is BL, to starboard; z is WL, up.')
         call put_words(section, 'Fitted curves and surfaces are within '// &
             shortest(drawing%tolerance)//' of the exact shape.')
@@ -107,7 +107,7 @@ contains
         call record%default()
         call record%whole(version_flag)
         call record%whole(no_standard)
-        call record%default()
+        call record%text(no_date)
         call record%default()
         call section%put_free(record%content())
     end subroutine put_global
