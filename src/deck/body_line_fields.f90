@@ -31,7 +31,7 @@ module deck_body_line_fields
         body_field_type(card%line, 3, 'VIEW', form%word, need%always, 'none', &
         'WL over STA, BL over STA, or degrees over STA', 'SIDE PLAN ANGLE'), &
         body_field_type(card%line, 4, 'FROM', form%either, need%optional, 'none', &
-        'line to take the view over, or a constant; SPLINE, BEZIER: by points'), &
+        'line to take over, or a constant; SPLINE, BEZIER: points follow'), &
         body_field_type(card%line, 5, 'PARAM', form%word, need%optional, 'none', &
         'parameter of a SPLINE; without it CHORD', 'CHORD UNIFORM'), &
         body_field_type(card%section, 2, 'NAME', form%name, need%always, 'none', &

@@ -215,7 +215,7 @@ contains
         line = find_line(state, name)
         if (line == 0) then
             trouble = 'there is no LINE '//name//in_this_body(state)// &
-                suggestion(name, line_names(state))
+                suggestion(name, [line_names(state), words_instead(card)])
         else if (state%body%line(line)%view(which)%origin == origin%none) then
             trouble = 'LINE '//name//' has no '//trim(view_name(which))
         else
@@ -227,6 +227,14 @@ contains
         line = 0
         call blame(card, field, trouble, faults)
     end subroutine look_up
+
+    !> What may stand in place of a line's name: on a LINE card the ways by points.
+    pure function words_instead(card) result(words)
+        type(card_type), intent(in) :: card !! the card that names a line
+        character(name_length), allocatable :: words(:)
+        words = [character(name_length) ::]
+        if (field_text(card, 1) == 'LINE') words = [character(name_length) :: 'SPLINE', 'BEZIER']
+    end function words_instead
 
     !> Words that remind of the body a name belongs to, where there is more than one.
     pure function in_this_body(state) result(words)

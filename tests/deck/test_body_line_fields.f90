@@ -15,7 +15,7 @@ program test_body_line_fields
         'the fields of page')
     call tap%same(names_of(setting_fields, body_card%nose), 'R', &
         'the fields of nose')
-    call tap%same(names_of(line_fields, body_card%line), 'NAME VIEW FROM', &
+    call tap%same(names_of(line_fields, body_card%line), 'NAME VIEW FROM PARAM', &
         'the fields of line')
     call tap%same(names_of(line_fields, body_card%section), &
         'NAME LINE1 SHLDR LINE3 S1 S3 FROM TO SIDE', 'the fields of section')

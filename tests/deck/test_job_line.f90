@@ -4,7 +4,7 @@ program test_job_line
     use base_fault, only: fault_list_type
     use base_kinds, only: dp
     use deck_body_layout, only: body_card
-    use deck_job, only: job_type, origin, piece, piece_real, view
+    use deck_job, only: ending, job_type, origin, piece, piece_real, view
     use deck_job_line, only: is_data_card
     use support_job_deck, only: faults_of, job_of
     use support_tap, only: tap_type
@@ -19,7 +19,9 @@ program test_job_line
     call origins()
     call bad_pieces()
     call bad_lines()
-    call tap%ok(all(is_data_card([body_card%conic, body_card%radius])) .and. &
+    call points()
+    call bad_points()
+    call tap%ok(all(is_data_card([body_card%conic, body_card%point])) .and. &
         .not. any(is_data_card([body_card%line, body_card%section])), &
         'data cards are told from others')
     call tap%finish()
@@ -149,5 +151,50 @@ contains
             '(zero is '// &
             'written 0.)|', 'data under a bad LINE are looked at')
     end subroutine bad_lines
+
+    !> Lines by points.
+    subroutine points()
+        call job_of('LINE,A,SIDE,SPLINE,UNIFORM|0,0,999.999|1,2|3,4,PARABOLA|'// &
+            'LINE,A,PLAN,SPLINE|0,0|1,2,FREE|LINE,B,SIDE,BEZIER|1,2|3,4', job, faults)
+        call tap%ok(.not. faults%has_errors(0), 'lines by points are read')
+        associate (a => job%body(1)%line(1)%view, b => job%body(1)%line(2)%view(view%side))
+            call tap%ok(a(view%side)%origin == origin%spline .and. a(view%side)%is_uniform .and. &
+                .not. a(view%plan)%is_uniform, 'a spline, uniform or by chords')
+            call tap%ok(all(a(view%side)%piece%kind == piece%point) .and. &
+                size(a(view%side)%piece) == 3, 'its cards are points')
+            call tap%ok(all(a(view%side)%piece%ending == &
+                [ending%slope, ending%free, ending%parabola]), 'what is asked at its ends')
+            call tap%ok(all(a(view%plan)%piece%ending == ending%free), 'nothing said is free')
+            call tap%ok(is_equal(piece_real(a(view%side)%piece(1), 3), 999.999_dp), 'a slope')
+            call tap%ok(b%origin == origin%bezier .and. &
+                is_equal(piece_real(b%piece(2), 2), 4.0_dp), 'poles')
+        end associate
+    end subroutine points
+
+    !> What is wrong with points.
+    subroutine bad_points()
+        call tap%same(faults_of('LINE,A,SIDE,SPLINE|0,0|1,2,.5|3,4'), &
+            '3:5-6 error: END at a point inside; it is for the first and the last point of a '// &
+            'spline|', 'a slope inside')
+        call tap%same(faults_of('LINE,A,SIDE,SPLINE|0,0,CLAMP|3,4'), &
+            '2:5-9 error: END is a slope, FREE or PARABOLA|', 'an end of no kind')
+        call tap%same(faults_of('LINE,A,SIDE,BEZIER|0,0,.5|3,4'), &
+            '2:5-6 error: a pole has no slope; the curve begins and ends along the sides of its '// &
+            'polygon|', 'a pole with a slope')
+        call tap%same(faults_of('LINE,A,SIDE,SPLINE|0,0|RHO,1,1,1,2,2,1,.5'), &
+            '3:1-3 error: a conic under a LINE by points; a composite line is given by conics '// &
+            'alone|', 'a conic among points')
+        call tap%same(faults_of('LINE,A,SIDE,SPLINE|0,|3,4,,7'), '2:3-3 error: Y is missing: '// &
+            'a point of the spline, or a pole of the Bezier curve (zero is written 0.)|'// &
+            '3:6-6 error: text behind the last field of the card, which is field 3|', &
+            'a point cut short, and one too long')
+        call tap%same(faults_of('LINE,A,SIDE,SPLINE'), '1:6-6 error: a LINE without data; its '// &
+            'conics follow on data cards, or field 4 names another line or a constant|', &
+            'a spline without points')
+        call tap%ok(index(faults_of('LINE,A,SIDE,3.,CHORD'), '1:16-20 warning: PARAM') == 1, &
+            'a parameter without a spline is warned of')
+        call tap%ok(index(faults_of('LINE,A,SIDE,SPLIEN|0,0|3,4'), '1:13-18 error: there is no '// &
+            'LINE SPLIEN; did you mean SPLINE?|') == 1, 'SPLINE misspelt')
+    end subroutine bad_points
 
 end program test_job_line
