@@ -47,7 +47,7 @@ contains
         call find_unit(drawing%units, unit, error)
         if (allocated(error)) return
         allocate (wires(0))
-        call add_product(file, drawing, settings%tolerance, product)
+        call add_product(file, drawing, product)
         call add_skin(file, model, settings%is_open, skin, receipt)
         call palette%paint_skin(file, [skin%solids, skin%sheets])
         if (allocated(drawing%cuts)) call add_shapes(file, drawing%cuts, palette, wires, receipt)
@@ -61,7 +61,7 @@ contains
         call add_representation(file, product, &
             'GEOMETRICALLY_BOUNDED_WIREFRAME_SHAPE_REPRESENTATION', wires)
         call palette%finish(file, product)
-        call put_header(out, drawing)
+        call put_header(out, drawing, settings%tolerance)
         call out%put(file%text())
         call out%line('ENDSEC;')
         call out%line('END-ISO-10303-21;')

@@ -1,4 +1,4 @@
-!> What surrounds the shapes of a STEP file: the header, the product, its units and tolerance, and
+!> What surrounds the shapes of a STEP file: the header, the product, its units and uncertainty, and
 !> the representations that make shapes the product's.
 !>
 !> The time stamp, which a header must have, is always the first second of 1970: the same deck gives
@@ -7,6 +7,8 @@ module export_step_head
     use base_constants, only: version
     use base_kinds, only: dp
     use base_output, only: output_type
+    use base_text, only: compact
+    use base_tolerances, only: step_tolerance
     use export_drawing, only: drawing_type
     use export_step_curve, only: add_placement
     use export_step_text, only: put_statement, step_file_type, step_list, step_real, &
@@ -26,7 +28,7 @@ module export_step_head
 
     !> Instances all shapes refer to.
     type :: product_type
-        integer :: context = 0  !! units and tolerance
+        integer :: context = 0  !! units and uncertainty
         integer :: place = 0    !! axes of the body: STA, BL, WL
         integer :: shape = 0    !! the representation that the others are of the same shape as
     end type product_type
@@ -34,13 +36,16 @@ module export_step_head
 contains
 
     !> Puts the header and begins the data section.
-    subroutine put_header(out, drawing)
+    subroutine put_header(out, drawing, tolerance)
         type(output_type), intent(inout) :: out     !! where to
-        type(drawing_type), intent(in) :: drawing   !! for its names
+        type(drawing_type), intent(in) :: drawing   !! for its names and its unit
+        real(dp), intent(in) :: tolerance           !! of skin and curves
 
         call out%line('ISO-10303-21;')
         call out%line('HEADER;')
-        call put_statement(out, 'FILE_DESCRIPTION(('//step_string(title_of(drawing))//'),''2;1'')')
+        call put_statement(out, 'FILE_DESCRIPTION(('//step_string(title_of(drawing))//','// &
+            step_string('lengths in '//drawing%units//', within '//compact(tolerance)// &
+            ' of the exact shape')//'),''2;1'')')
         call put_statement(out, 'FILE_NAME('//step_string(drawing%deck)//','// &
             step_string(no_time)//',(''''),(''''),'//step_string('LOFT '//version)//','// &
             step_string('LOFT '//version)//','''')')
@@ -58,10 +63,9 @@ contains
     end function title_of
 
     !> Adds the product, its units and its axes.
-    subroutine add_product(file, drawing, tolerance, product)
+    subroutine add_product(file, drawing, product)
         type(step_file_type), intent(inout) :: file     !! gets it
         type(drawing_type), intent(in) :: drawing       !! for its names and its unit
-        real(dp), intent(in) :: tolerance               !! how far shapes that meet may be apart
         type(product_type), intent(out) :: product      !! instances
         integer :: application, part, definition
 
@@ -81,7 +85,7 @@ contains
         call file%add('PRODUCT_DEFINITION(''design'','''','//step_reference(part)//','// &
             step_reference(definition)//')', part)
         call file%add('PRODUCT_DEFINITION_SHAPE('''','''','//step_reference(part)//')', definition)
-        call add_context(file, drawing%units, tolerance, product%context)
+        call add_context(file, drawing%units, product%context)
         call add_placement(file, [0.0_dp, 0.0_dp, 0.0_dp], [0.0_dp, 0.0_dp, 1.0_dp], product%place)
         call file%add('SHAPE_REPRESENTATION('//step_string(title_of(drawing))//','// &
             step_references([product%place])//','//step_reference(product%context)//')', &
@@ -90,11 +94,10 @@ contains
             step_reference(product%shape)//')', part)
     end subroutine add_product
 
-    !> Adds units and tolerance.
-    subroutine add_context(file, units, tolerance, number)
+    !> Adds units and uncertainty.
+    subroutine add_context(file, units, number)
         type(step_file_type), intent(inout) :: file !! gets it
         character(*), intent(in) :: units           !! INCHES, MM, FEET or M
-        real(dp), intent(in) :: tolerance           !! how far shapes that meet may be apart
         integer, intent(out) :: number              !! of the instance
         integer :: length, plane_angle, solid_angle, uncertainty
 
@@ -110,9 +113,9 @@ contains
         end select
         call file%add('(NAMED_UNIT(*)PLANE_ANGLE_UNIT()SI_UNIT($,.RADIAN.))', plane_angle)
         call file%add('(NAMED_UNIT(*)SI_UNIT($,.STERADIAN.)SOLID_ANGLE_UNIT())', solid_angle)
-        call file%add('UNCERTAINTY_MEASURE_WITH_UNIT(LENGTH_MEASURE('//step_real(tolerance)// &
+        call file%add('UNCERTAINTY_MEASURE_WITH_UNIT(LENGTH_MEASURE('//step_real(step_tolerance)// &
             '),'//step_reference(length)//',''distance_accuracy_value'','// &
-            '''how far vertices and edges that are one may be apart'')', uncertainty)
+            '''how far vertices, edges and faces that meet may be apart'')', uncertainty)
         call file%add('(GEOMETRIC_REPRESENTATION_CONTEXT(3)GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT('// &
             step_references([uncertainty])//')GLOBAL_UNIT_ASSIGNED_CONTEXT('// &
             step_references([length, plane_angle, solid_angle])//')REPRESENTATION_CONTEXT(''''' // &

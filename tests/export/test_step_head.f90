@@ -27,11 +27,12 @@ contains
     subroutine check_header()
         type(output_type) :: out
 
-        call put_header(out, deck_of('MM', 'FIN  '))
+        call put_header(out, deck_of('MM', 'FIN  '), 0.001_dp)
         call tap%has(out%text(), 'FILE_NAME(''fin.crd'',''1970-01-01T00:00:00'',(''''),(''''),'// &
             '''LOFT '//version//'''', 'the deck, and a time that never changes')
         call tap%ok(index(out%text(), 'ISO-10303-21;'//new_line('a')//'HEADER;'//new_line('a')// &
-            'FILE_DESCRIPTION((''FIN''),''2;1'');') == 1, 'the title, without blanks behind it')
+            'FILE_DESCRIPTION((''FIN'',''lengths in MM, within 0.001 of the exact shape''),'// &
+            '''2;1'');') == 1, 'the title without blanks behind it, what is stated')
         call tap%has(out%text(), 'FILE_SCHEMA((''AP242_MANAGED_MODEL_BASED_3D_'// &
             'ENGINEERING_MIM_LF { 1 0 10303 442 1 1 4 }''));', 'the schema')
         call tap%ok(is_sound(out%text(), 80), 'lines and quotes are sound')
@@ -42,14 +43,14 @@ contains
         type(record_type), allocatable :: records(:)
         type(product_type) :: product
 
-        call add_product(file, deck_of('MM', ''), 0.001_dp, product)
+        call add_product(file, deck_of('MM', ''), product)
         records = records_of(file%text())
         call tap%ok(refers_back(records), 'instances in order')
         call tap%has(file%text(), 'PRODUCT(''fin.crd'',''fin.crd'',''x is STA, y is BL, z '// &
             'is WL''',             'a deck without title goes by its file name')
         call tap%ok(count_of(records, 'PRODUCT_DEFINITION_SHAPE') == 1 .and. &
             count_of(records, 'SHAPE_DEFINITION_REPRESENTATION') == 1, 'one product, one shape')
-        call tap%has(file%text(), 'LENGTH_MEASURE(0.001)', 'the tolerance')
+        call tap%has(file%text(), 'LENGTH_MEASURE(1.E-07)', 'edges meet but for rounding')
         call tap%ok(index(record_named(records, product%context), &
             'GEOMETRIC_REPRESENTATION_CONTEXT(3)') > 0 .and. &
             index(record_named(records, product%shape), 'SHAPE_REPRESENTATION(') == 1 .and. &
@@ -65,7 +66,7 @@ contains
         type(step_file_type) :: file
         type(product_type) :: product
 
-        call add_product(file, deck_of(unit, ''), 0.001_dp, product)
+        call add_product(file, deck_of(unit, ''), product)
         call tap%has(file%text(), '=LENGTH_MEASURE_WITH_UNIT(LENGTH_MEASURE('//millimetres// &
             '),#11);', unit//': how many millimetres it has')
         call tap%has(file%text(), '#11=(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.));', &
@@ -82,7 +83,7 @@ contains
         type(step_file_type) :: file
         type(product_type) :: product
 
-        call add_product(file, deck_of(unit, ''), 0.001_dp, product)
+        call add_product(file, deck_of(unit, ''), product)
         call tap%has(file%text(), '#10='//record, unit//': its name')
         call tap%has(file%text(), 'GLOBAL_UNIT_ASSIGNED_CONTEXT((#10,', unit//': of all lengths')
     end subroutine check_metric
@@ -93,7 +94,7 @@ contains
         type(product_type) :: product
         integer :: before
 
-        call add_product(file, deck_of('MM', ''), 0.001_dp, product)
+        call add_product(file, deck_of('MM', ''), product)
         records = records_of(file%text())
         before = size(records)
         call add_representation(file, product, 'ADVANCED_BREP_SHAPE_REPRESENTATION', [integer ::])

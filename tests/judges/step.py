@@ -99,13 +99,13 @@ def free_edges(shell):
 
 
 def read_csv(name):
-    """Points of each cut of a table of `loft run --format csv`, in its unit."""
+    """Points and bevels of each cut of a table of `loft run --format csv`, in its unit."""
     cuts = {}
     with open(name, encoding='latin-1') as file:
         for row in csv.DictReader(file):
-            point = [float(row[column]) for column in ('sta', 'bl', 'wl')]
-            cuts.setdefault(row['cut'], []).append(point)
-    return {cut: np.array(points) for cut, points in cuts.items()}
+            numbers = [float(row[column] or 0) for column in ('sta', 'bl', 'wl', 'bevel')]
+            cuts.setdefault(row['cut'], []).append(numbers)
+    return {cut: np.array(rows) for cut, rows in cuts.items()}
 
 
 def distance(shape, point):
@@ -172,24 +172,28 @@ def judge_measures(tally, shape, wanted):
 
 def judge_points(tally, skin, cuts, wanted):
     """Points of the exact surface are on the skin, on both sides."""
-    for side in (1, -1):
-        worst, count = 0, 0
-        for points in cuts.values():
-            for point in points * wanted.unit * [1, side, 1]:
-                worst = max(worst, distance(skin, point))
-                count += 1
-        tally.ok(count > 0 and worst <= wanted.within * wanted.unit,
-                 f'{count} points are on the skin within {worst / wanted.unit:.1e}, '
-                 f'{"starboard" if side == 1 else "port"}')
+    points = np.concatenate(list(cuts.values()))[:, :3]
+    if wanted.sample and wanted.sample < len(points):
+        points = np.random.default_rng(4).permutation(points)[:wanted.sample]
+    for side, name in ((1, 'starboard'), (-1, 'port')):
+        worst = max(distance(skin, point) for point in points * wanted.unit * [1, side, 1])
+        tally.ok(worst <= wanted.within * wanted.unit,
+                 f'{len(points)} points are on the skin within {worst / wanted.unit:.1e}, {name}')
 
 
 def judge_sections(tally, skin, cuts, wanted):
-    """The kernel's own cuts go through the points of ours."""
-    for name, points in cuts.items():
-        cut = section(skin, points * wanted.unit)
+    """The kernel's own cuts go through the points of ours.
+
+    Where a plane meets the skin at a slant, which the bevel tells, its cut is moved by more than
+    the skin is.
+    """
+    for name, rows in cuts.items():
+        points = rows[:, :3] * wanted.unit
+        cut = section(skin, points)
         if cut is None:
             continue
-        worst = max(distance(cut, point) for point in points * wanted.unit)
+        slant = np.cos(np.radians(rows[:, 3]))
+        worst = max(distance(cut, point) * part for point, part in zip(points, slant))
         tally.ok(worst <= wanted.within * wanted.unit,
                  f'cut {name}: {len(points)} points are on the section of the skin within '
                  f'{worst / wanted.unit:.1e}')
@@ -206,6 +210,7 @@ def arguments():
         parser.add_argument('--' + name, type=float)
     parser.add_argument('--relative', type=float, default=1e-6, help='of areas and volume')
     parser.add_argument('--points', help='CSV of points on the skin')
+    parser.add_argument('--sample', type=int, help='of so many points')
     parser.add_argument('--sections', help='CSV of plane cuts')
     parser.add_argument('--within', type=float, help='distance allowed of points')
     return parser.parse_args()
