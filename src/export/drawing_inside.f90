@@ -80,10 +80,10 @@ contains
                 do while (goes_on(inside, last, limits(1)))
                     last = last + 1
                 end do
-                call draw_part(inside, [from(first), inside%until(last)], limits, list, error)
+                call draw_part(inside, from(first), [first, last], limits, list, error)
                 if (allocated(error) .and. last > first) then
                     do i = first, last
-                        call draw_part(inside, [from(i), inside%until(i)], limits, list, error)
+                        call draw_part(inside, from(i), [i, i], limits, list, error)
                         if (allocated(error)) return
                     end do
                 end if
@@ -94,19 +94,22 @@ contains
     end subroutine draw_patches
 
     !> Draws a part of the inside of a path, unless it is nothing. Fails as `flat_curve`.
-    pure subroutine draw_part(inside, range, limits, list, error)
+    pure subroutine draw_part(inside, from, patches, limits, list, error)
         type(opposite_type), intent(in) :: inside           !! with patches
-        real(dp), intent(in) :: range(2)                    !! parameters of the outside
+        real(dp), intent(in) :: from                        !! parameter of the outside
+        integer, intent(in) :: patches(2)                   !! first and last of the part
         real(dp), intent(in) :: limits(2)                   !! noise and tolerance, deck units
         type(list_type), intent(inout) :: list              !! gets the curve
         type(error_type), allocatable, intent(out) :: error !! see above
         type(opposite_type) :: part
         type(curve_type) :: curve
 
-        if (range(2) - range(1) <= 2.0_dp*beside) return
+        if (inside%until(patches(2)) - from <= 2.0_dp*beside) return
         part = inside
-        part%from = range(1)
-        part%to = range(2)
+        part%from = from
+        part%to = inside%until(patches(2))
+        part%patch = inside%patch(patches(1):patches(2))
+        part%until = inside%until(patches(1):patches(2))
         call flat_curve(part, limits(1), limits(2), curve, error)
         if (allocated(error)) return
         curve%section = inside%outside%name

@@ -60,7 +60,6 @@ contains
         type(opposite_type), intent(in) :: inside   !! any
         real(dp), intent(in) :: s                   !! parameter of the outside
         type(foot_type) :: foot
-        real(dp) :: inward(3), from(3)
         logical :: is_found
 
         patch = nowhere
@@ -70,14 +69,8 @@ contains
         end if
         call find_foot(inside, inside%outside%section, s, foot, is_found)
         if (is_found) is_found = is_on_section(inside%body, foot)
-        if (.not. is_found) then
-            call look_from(inside, s, from, inward)
-            call foot_at(inside%body, inside%outside%section, from, -inward, foot, is_found)
-            if (.not. is_found) return
-            call way_inside(inside%body, inside%thickness, inward, foot, is_found)
-            if (.not. is_found) return
-        end if
-        patch = patch_of(inside%body, foot)
+        if (.not. is_found) call search_foot(inside, s, foot, is_found)
+        if (is_found) patch = patch_of(inside%body, foot)
     end function patch_opposite
 
     !> The patch of a foot.
@@ -100,7 +93,11 @@ contains
             return
         end if
         call find_foot(inside, patch/most_stretches, s, foot, is_there)
-        if (is_there) is_there = is_on_section(inside%body, foot)
+        if (is_there) then
+            is_there = is_on_section(inside%body, foot)
+        else
+            call search_foot(inside, s, foot, is_there)
+        end if
         if (is_there) is_there = patch_of(inside%body, foot) == patch
     end function is_patch_opposite
 
@@ -136,6 +133,23 @@ contains
         if (is_found) call settle_inside(inside%body, inside%thickness, inward, from, foot, &
             is_found)
     end subroutine find_foot
+
+    !> The foot of the inside, in small steps of the thickness and on any section: near the end of
+    !> a section a long step leaves it.
+    pure subroutine search_foot(inside, s, foot, is_found)
+        type(opposite_type), intent(in) :: inside   !! any
+        real(dp), intent(in) :: s                   !! parameter of the outside
+        type(foot_type), intent(out) :: foot        !! where it is found
+        logical, intent(out) :: is_found            !! there is one
+        real(dp) :: from(3), inward(3)
+
+        call look_from(inside, s, from, inward)
+        is_found = any(.not. is_zero(inward))
+        if (.not. is_found) return
+        call foot_at(inside%body, inside%outside%section, from, -inward, foot, is_found)
+        if (is_found) is_found = -dot_product(foot%normal, inward) > grazing
+        if (is_found) call way_inside(inside%body, inside%thickness, inward, foot, is_found)
+    end subroutine search_foot
 
     !> True where a path begins or ends in a blunt nose, whose normal, along STA, is in the plane.
     pure logical function is_nose(inside, s)
@@ -193,6 +207,7 @@ contains
 
         s = outer(f, t)
         call find_foot(f, section_of(f, s), s, foot, is_found)
+        if (.not. is_found) call search_foot(f, s, foot, is_found)
         if (is_found) then
             point(:2) = true_shape(f%plane, foot%at - f%thickness*foot%normal)
         else
@@ -212,6 +227,7 @@ contains
 
         s = outer(f, t)
         call find_foot(f, section_of(f, s), s, foot, is_found)
+        if (.not. is_found) call search_foot(f, s, foot, is_found)
         way = f%outside%way(s)
         if (.not. is_found) return
         foot%at = [in_view(f%plane, across(foot%normal, f%plane%normal)), 0.0_dp]
