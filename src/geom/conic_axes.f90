@@ -1,9 +1,9 @@
 !> The conic of an arc in its standard position: about its centre (a parabola about its vertex),
 !> along its axes.
 !>
-!>     ellipse     x**2/a**2 + y**2/b**2 = 1     x along the longer axis
+!>     ellipse     x**2/a**2 + y**2/b**2 = 1     x along the longer axis; a circle has b = a
 !>     hyperbola   x**2/a**2 - y**2/b**2 = 1     x towards the branch of the arc
-!>     parabola    x**2 = a y                    y into the opening
+!>     parabola    y**2 = a x                    x into the opening
 !>
 !> In the notation of `geom_arc`, with p = m + X h + Y g, the arc fulfils
 !>
@@ -29,8 +29,8 @@ module geom_conic_axes
         real(dp) :: origin(2) = 0.0_dp      !! centre or vertex, deck units
         real(dp) :: x(2) = 0.0_dp           !! unit vector of the x axis
         real(dp) :: y(2) = 0.0_dp           !! unit vector of the y axis: left or right of x, such
-                                            !! that the arc runs counter-clockwise, or on along x
-                                            !! (parabola) or y (hyperbola)
+                                            !! that the arc of an ellipse runs from x to y, others
+                                            !! on along y
         real(dp) :: a = 0.0_dp              !! half axis along x; of a parabola see above
         real(dp) :: b = 0.0_dp              !! half axis along y
     end type axes_type
@@ -66,9 +66,9 @@ contains
         across = half - at*bulge
         axes%kind = conic_kind%parabola
         axes%origin = middle + at*half + 0.5_dp*(1.0_dp - at**2)*bulge
-        axes%y = -bulge/norm2(bulge)
-        axes%x = [axes%y(2), -axes%y(1)]
-        if (dot_product(axes%x, across) < 0.0_dp) axes%x = -axes%x
+        axes%x = -bulge/norm2(bulge)
+        axes%y = [-axes%x(2), axes%x(1)]
+        if (dot_product(axes%y, across) < 0.0_dp) axes%y = -axes%y
         axes%a = 2.0_dp*dot_product(across, across)/norm2(bulge)
     end function parabola
 
@@ -95,6 +95,7 @@ contains
         end if
         axes%a = norm2(major)
         axes%b = abs(cross(p, q))/axes%a
+        if (abs(axes%a - axes%b) <= type_tolerance*axes%a) axes%b = axes%a
         axes%x = major/axes%a
         axes%y = [-axes%x(2), axes%x(1)]
         ! An arc that turns left goes around the centre of its ellipse to the left, but around the
@@ -117,7 +118,7 @@ contains
 
         form = 0.0_dp
         if (axes%kind == conic_kind%parabola) then
-            form([1, 5]) = [1.0_dp, -axes%a]
+            form([3, 4]) = [1.0_dp, -axes%a]
         else
             form([1, 3, 6]) = [1.0_dp/axes%a**2, 1.0_dp/axes%b**2, -1.0_dp]
             if (axes%kind == conic_kind%hyperbola) form(3) = -form(3)
@@ -132,8 +133,8 @@ contains
 
         at = to_axes(axes, point)
         form = coefficients_of(axes)
-        distance = abs(form(1)*at(1)**2 + form(3)*at(2)**2 + form(5)*at(2) + form(6))/ &
-            norm2([2.0_dp*form(1)*at(1), 2.0_dp*form(3)*at(2) + form(5)])
+        distance = abs(form(1)*at(1)**2 + form(3)*at(2)**2 + form(4)*at(1) + form(6))/ &
+            norm2([2.0_dp*form(1)*at(1) + form(4), 2.0_dp*form(3)*at(2)])
     end function distance_from_axes
 
     !> How far the conic's own numbers reach from the chord, in parts of it: a reader rounds with
