@@ -3,7 +3,8 @@
 !>
 !> Each cut has a layer of its own, its inside of the skin another; control lines, which stand only
 !> in drawings in space, have one each. REFERENCE has the reference lines and their ordinates, TEXT
-!> the words and bevel marks, so that both can be switched off.
+!> the words and, of a drawing of one cut in its true shape, the bevel marks, so that both can be
+!> switched off.
 module export_dxf
     use base_error, only: error_type
     use base_kinds, only: dp
@@ -64,7 +65,8 @@ contains
         allocate (pens, source=pens_for(shapes, settings))
         call lay_page(drawing, shapes, settings%is_in_space, page)
         call add_notes(page, drawing, unit, settings, pens%layer)
-        if (.not. settings%is_in_space) call add_all_bevels(page, shapes)
+        if (size(shapes) == 1 .and. .not. settings%is_in_space) &
+            call add_all_bevels(page, shapes(1))
         entities%has_handles = settings%has_splines
         do i = 1, size(shapes)
             call put_shape(entities, shapes(i), pens(i), receipt, error)
@@ -114,15 +116,13 @@ contains
         call add_references(page, u_name, v_name)
     end subroutine lay_page
 
-    !> Adds the bevels of all shapes to a page.
-    pure subroutine add_all_bevels(page, shapes)
+    !> Adds the bevels of a shape to a page. Those of several would hide each other.
+    pure subroutine add_all_bevels(page, shape)
         type(page_type), intent(inout) :: page      !! with its notes
-        type(shape_type), intent(in) :: shapes(:)   !! in its plane
-        integer :: i, k
-        do i = 1, size(shapes)
-            do k = 1, size(shapes(i)%contours)
-                call add_bevels(page, shapes(i)%contours(k))
-            end do
+        type(shape_type), intent(in) :: shape       !! in its plane
+        integer :: i
+        do i = 1, size(shape%contours)
+            call add_bevels(page, shape%contours(i))
         end do
     end subroutine add_all_bevels
 

@@ -2,9 +2,9 @@
 !> layer; and the bevels along the contours.
 module export_dxf_notes
     use base_constants, only: version
-    use base_digits, only: fixed, shortest
+    use base_digits, only: fixed
     use base_kinds, only: dp, i64
-    use base_text, only: counted, upper
+    use base_text, only: compact, counted, upper
     use export_drawing, only: contour_type, drawing_type
     use export_dxf_page, only: add_words, page_type, stroke_type, words_side
     use export_settings, only: settings_type
@@ -32,7 +32,7 @@ contains
         if (drawing%title /= '') call note(page, drawing%title)
         call note(page, 'DECK '//drawing%deck)
         call note(page, 'ALL DIMENSIONS IN '//trim(unit%name))
-        call note(page, 'WITHIN '//shortest(settings%tolerance)//' '//trim(unit%short)// &
+        call note(page, 'WITHIN '//compact(settings%tolerance)//' '//trim(unit%short)// &
             ' OF THE EXACT SHAPE')
         if (settings%is_in_space) then
             call note(page, 'IN SPACE: X IS STA, Y IS BL, Z IS WL')

@@ -21,6 +21,7 @@ module export_dxf_shape
     type :: pen_type
         character(31) :: layer = ''         !! of the outside of the skin, and of control lines
         character(31) :: inside = ''        !! layer of the inside of the skin
+        logical :: is_inside = .false.      !! what is drawn is of the inside
         logical :: is_in_space = .false.    !! not in the plane of the shape
         real(dp) :: tolerance = 0.0_dp      !! of polygons, unit of the drawing
     end type pen_type
@@ -60,7 +61,8 @@ contains
 
         do i = 1, size(shape%contours)
             nib = pen
-            if (shape%contours(i)%is_inside) nib%layer = pen%inside
+            nib%is_inside = shape%contours(i)%is_inside
+            if (nib%is_inside) nib%layer = pen%inside
             if (file%has_handles .and. size(shape%contours(i)%curves) > 0) then
                 do k = 1, size(shape%contours(i)%curves)
                     call put_curve(file, shape, shape%contours(i)%curves(k), nib, receipt)
@@ -101,6 +103,7 @@ contains
             entity%kind = trim(merge('CLOSED POLYLINE', 'POLYLINE       ', polygon%is_closed))
             call put_polyline(file, trim(pen%layer), polygon%at, polygon%is_closed)
         end if
+        if (pen%is_inside) entity%kind = entity%kind//' INSIDE'
         call receipt%add(entity)
     end subroutine put_contour
 
@@ -139,6 +142,7 @@ contains
             entity%spans = size(spline_breaks(spline)) - 1
             call put_spline(file, trim(pen%layer), spline, normal_of(shape, pen%is_in_space))
         end if
+        if (pen%is_inside) entity%kind = entity%kind//' INSIDE'
         call receipt%add(entity)
     end subroutine put_curve
 

@@ -23,7 +23,7 @@ module export_nc
     use base_exact, only: is_finite
     use base_kinds, only: dp, i64
     use base_output, only: output_type
-    use base_text, only: counted, to_text
+    use base_text, only: compact, counted, to_text
     use cut_plane, only: true_shape
     use export_axis, only: axis_names
     use export_chords, only: chord_polygon, decimals_for, polygon_type, round_polygon, &
@@ -130,7 +130,7 @@ contains
         call out%line(comment('DECK '//drawing%deck))
         if (drawing%title /= '') call out%line(comment('TITLE '//drawing%title))
         call out%line(comment('ALL DIMENSIONS IN '//unit%name))
-        call out%line(comment('WITHIN '//shortest(settings%tolerance)//' '//trim(unit%short)// &
+        call out%line(comment('WITHIN '//compact(settings%tolerance)//' '//trim(unit%short)// &
             ' OF THE EXACT SHAPE'))
         call out%line(comment('THE CENTRE OF THE TOOL FOLLOWS THE OUTLINE'))
         call out%line(comment('NO CUTTER COMPENSATION, NO TOOL CHANGE, NO SPINDLE SPEED'))
@@ -210,6 +210,7 @@ contains
         call put_path(out, straight_path(polygon%at, polygon%is_closed), run)
         entity%name = shape%name
         entity%kind = trim(merge('CLOSED PATH', 'PATH       ', polygon%is_closed))
+        if (contour%is_inside) entity%kind = entity%kind//' INSIDE'
         entity%points = size(polygon%at, 2)
         entity%error = polygon%error
         entity%has_place = .true.
@@ -232,9 +233,19 @@ contains
             call fail(error, cause%usage, shape%title//' has a coordinate of '//shortest(most)// &
                 '; an NC program takes less than '//shortest(farthest))
         else if (most >= 10.0_dp**(read_figures - decimals)) then
-            call receipt%say(shape%name//': coordinates have more than '// &
+            call say_once(receipt, shape%name//': coordinates have more than '// &
                 to_text(read_figures)//' figures, which Fanuc and Grbl do not read')
         end if
     end subroutine check_reach
+
+    !> Adds a line to a receipt that does not have it.
+    pure subroutine say_once(receipt, line)
+        type(receipt_type), intent(inout) :: receipt    !! gets it
+        character(*), intent(in) :: line                !! no line end
+        if (allocated(receipt%notes)) then
+            if (index(receipt%notes, line) > 0) return
+        end if
+        call receipt%say(line)
+    end subroutine say_once
 
 end module export_nc

@@ -12,7 +12,8 @@ program test_dxf_shape
     use support_tap, only: tap_type
     implicit none (type, external)
     real(dp), parameter :: tolerance = 1.0e-3_dp
-    type(pen_type), parameter :: pen = pen_type('CUT', 'CUT-IN', .false., tolerance)
+    type(pen_type), parameter :: pen = pen_type('CUT', 'CUT-IN', .false., .false., &
+        tolerance)
     type(tap_type) :: tap
 
     call check_old()
@@ -58,6 +59,7 @@ contains
             'which are within the tolerance, and use it')
         call tap%ok(sum(receipt%entities(:2)%points) == size(radius), 'their corners')
         call tap%same(receipt%entities(1)%kind, 'CLOSED POLYLINE', 'their kind')
+        call tap%same(receipt%entities(2)%kind, 'CLOSED POLYLINE INSIDE', 'and of which side')
         call tap%ok(all(.not. receipt%entities(:2)%is_exact), 'they are not exact')
     end subroutine check_old
 

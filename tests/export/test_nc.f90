@@ -198,6 +198,8 @@ contains
         call write_nc(drawing, settings, out, receipt, error)
         call tap%has(receipt%notes, 'STA-30: coordinates have more than 8 figures', &
             'more than that is said in the receipt')
+        call tap%ok(index(receipt%notes, 'figures') == index(receipt%notes, 'figures', .true.), &
+            'once for each cut')
     end subroutine check_several
 
     subroutine check_refusals()
