@@ -25,8 +25,9 @@ module export_iges_head
     integer, parameter :: integer_bits = 32, power = 308, figures = 15
     !> The version of the standard, 5.3, and that no drafting standard applies (fields 23, 24).
     integer, parameter :: version_flag = 11, no_standard = 0
-    !> Smallest length that means anything, and width of lines: inches.
-    real(dp), parameter :: resolution = 1.0e-6_dp, line_width = 0.01_dp
+    !> How many times the smallest length that means anything, and the width of lines, go into an
+    !> inch.
+    real(dp), parameter :: resolutions = 1.0e6_dp, line_widths = 100.0_dp
     !> Names of units, and their flags (field 14).
     character(6), parameter :: unit_names(4) = ['INCHES', 'MM    ', 'FEET  ', 'M     ']
     integer, parameter :: unit_flags(4) = [1, 2, 4, 6]
@@ -100,7 +101,7 @@ contains
         call record%whole(unit_flags(findloc(unit_names, unit%name, dim=1)))
         call record%text(trim(unit%short))
         call record%whole(1)
-        call record%reals([line_width*unit%inch])
+        call record%reals([unit%inch/line_widths])
         call record%text(no_date)
         call record%reals([resolution, largest])
         call record%default()
@@ -125,7 +126,7 @@ contains
     pure real(dp) function resolution_of(unit, tolerance)
         type(unit_type), intent(in) :: unit     !! of the file
         real(dp), intent(in) :: tolerance       !! in the file's unit; 0: none
-        resolution_of = resolution*unit%inch
+        resolution_of = unit%inch/resolutions
         if (tolerance > 0.0_dp) resolution_of = min(resolution_of, tolerance)
     end function resolution_of
 
