@@ -34,8 +34,9 @@ contains
 
     !> Makes the skin of a body: both halves of a symmetric one.
     !>
-    !> Fails with `cause%no_convergence` where the tolerance can't be kept, and with `cause%no_arc`
-    !> where a section nears no conic at an end. Parts of a body that have no conic are left out.
+    !> Fails with `cause%no_convergence` where the tolerance can't be kept (surfaces that are the
+    !> skin itself keep any), and with `cause%no_arc` where a section nears no conic at an end.
+    !> Parts of a body that have no conic are left out.
     pure subroutine build_shell(body, tolerance, wants_solid, model, error)
         type(body_type), intent(in) :: body                 !! finished
         real(dp), intent(in) :: tolerance                   !! of the skin, above zero, deck units

@@ -51,7 +51,7 @@ module export_shell_surfaces
 
 contains
 
-    !> Fits the surfaces of a stretch.
+    !> Fits the surfaces of a stretch. Those that are the skin itself keep any tolerance.
     !>
     !> Fails with `cause%no_convergence` where the tolerance can't be kept with `most_spans` spans,
     !> and as `section_arc` where a section has no arc.
@@ -65,13 +65,13 @@ contains
 
         call fit_single_span(stretch, ends, forms, tolerance, fitted, error)
         if (allocated(error)) return
-        do while (any(fitted%span_miss > kept_part*tolerance))
+        do while (any(fitted%span_miss > kept_part*tolerance) .and. .not. all(fitted%is_exact))
             call halve_spans(stretch, kept_part*tolerance, fitted, error)
             if (allocated(error)) return
             call fit_all(stretch, ends, forms, fitted, error)
             if (allocated(error)) return
         end do
-        if (size(fitted%span_miss) > 2) &
+        if (size(fitted%span_miss) > 2 .and. .not. all(fitted%is_exact)) &
             call spare_spans(stretch, ends, forms, kept_part*tolerance, fitted)
     end subroutine fit_stretch
 
@@ -251,8 +251,8 @@ contains
             >= shortest_span) return
         call fail(error, cause%no_convergence, 'between stations '//compact(stretch%pace%from)// &
             ' and '//compact(stretch%pace%to)//' the surfaces of the skin do not come within '// &
-            'the tolerance; ask for more than '//compact(maxval(fitted%span_miss))// &
-            ' or mend the lines there ('//to_text(n - 1)//' spans)')
+            compact(most)//' of it with '//to_text(n - 1)//' spans; give a greater tolerance, '// &
+            'or mend the lines there')
     end subroutine halve_spans
 
 end module export_shell_surfaces

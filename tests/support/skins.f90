@@ -14,6 +14,11 @@ module support_skins
     use deck_job, only: job_type
     use export_shell, only: face_type, side_type, skin_model_type
     use export_shell_build, only: build_shell
+    use export_shell_panels, only: panel_type, panels_of
+    use export_shell_ribs, only: ribs_of, ribs_type
+    use export_shell_rows, only: forms_of
+    use export_shell_stretch, only: stretch_type, stretches_of
+    use export_shell_surfaces, only: fit_stretch, fitted_type
     use geom_arc, only: arc_type
     use geom_bspline_basis, only: breaks_of
     use geom_bspline_surface, only: bspline_surface_type, surface_jet, surface_point
@@ -22,7 +27,8 @@ module support_skins
     implicit none (type, external)
     private
 
-    public :: deck_body, text_body, skin_of, skin_area, skin_volume, furthest, form_distance
+    public :: deck_body, text_body, skin_of, take_panels, skin_area, skin_volume, furthest
+    public :: form_distance
     public :: side_from, side_to, edge_uses, is_chained
 
     !> Gauss's rule of five points on -1..1 (M. Abramowitz and I. A. Stegun, "Handbook of
@@ -64,6 +70,30 @@ contains
         call build_shell(body, tolerance, wants_solid, model, error)
         if (allocated(error)) error stop 'a skin of a test failed'
     end function skin_of
+
+    !> The panels of a body's sections, starboard, with the corners that they lead between.
+    subroutine take_panels(body, panels, corners)
+        type(body_type), intent(in) :: body
+        type(panel_type), allocatable, intent(out) :: panels(:)
+        real(dp), allocatable, intent(out) :: corners(:, :)
+        type(stretch_type), allocatable :: stretches(:)
+        type(panel_type), allocatable :: more(:)
+        type(error_type), allocatable :: error
+        type(fitted_type) :: fitted
+        type(ribs_type) :: ribs
+        integer :: i
+        allocate (stretches(0), panels(0))
+        call stretches_of(body, 1.0e-3_dp, .false., stretches)
+        call ribs_of(stretches, ribs, error)
+        do i = 1, size(stretches)
+            call fit_stretch(stretches(i), ribs%ends(i), forms_of(stretches, &
+                size(body%sections)), 1.0e-3_dp, fitted, error)
+            if (allocated(error)) error stop 'a stretch of a test failed'
+            call panels_of(body, stretches(i), fitted, ribs, i, more)
+            panels = [panels, more]
+        end do
+        corners = ribs%corner
+    end subroutine take_panels
 
     !> The area of all faces that are not flat.
     real(dp) function skin_area(model)
