@@ -1,0 +1,352 @@
+!> A curve as a chain of circular arcs with a common tangent wherever two meet.
+!>
+!> Between two points of the curve with its tangents, P1 and P2, go two arcs that meet in a third
+!> point Q of the curve. Q is where the second arc leaves P2 in the true direction; so each pair
+!> begins afresh, and the error of direction that swings from arc to arc in a plain chain never
+!> begins. Q exists and is the only one where the curvature between P1 and P2 only grows or only
+!> falls, and turns by less than 180 degrees.
+!>
+!> The curve is parted where its curvature is zero or has an extreme; from there each pair goes as
+!> far as the tolerance lets it. A stretch that one arc follows is one arc.
+!>
+!> Source: seed 003, second paper, equations (3) to (12), with (6) corrected; the way to choose P1
+!> and P2 is added. The deviation goes as |dk/ds| L**3/324 over a length L of curvature k.
+module geom_arc_chain
+    use base_error, only: cause, error_type, fail
+    use base_kinds, only: dp
+    use base_text, only: compact, to_text
+    use geom_circular, only: circular_between, circular_type, direction_to, distance_from, &
+        leaving, wrapped
+    use geom_vector, only: cross
+    implicit none (type, external)
+    private
+
+    public :: plane_curve_type, chain_arc_type, arcs_along, arc_pair, curvature_stops
+
+    !> A smooth curve in a plane, over a parameter from 0 to 1.
+    type, abstract :: plane_curve_type
+    contains
+        procedure(jet_interface), deferred :: jet !! point and derivatives at a parameter
+    end type plane_curve_type
+
+    abstract interface
+        !> The point of a curve and its first two derivatives.
+        pure subroutine jet_interface(f, t, point, first, second)
+            import :: dp, plane_curve_type
+            implicit none (type, external)
+            class(plane_curve_type), intent(in) :: f    !! the curve
+            real(dp), intent(in) :: t                   !! 0 to 1
+            real(dp), intent(out) :: point(2)           !! deck units
+            real(dp), intent(out) :: first(2)           !! not zero
+            real(dp), intent(out) :: second(2)          !! second derivative
+        end subroutine jet_interface
+    end interface
+
+    !> An arc of a chain.
+    type :: chain_arc_type
+        type(circular_type) :: arc          !! the arc
+        real(dp) :: ends(2) = 0.0_dp        !! parameters of the curve at its ends
+        real(dp) :: deviation = 0.0_dp      !! largest distance from the curve to it, deck units
+        logical :: is_primary = .true.      !! it ends where the curve's tangent is kept
+    end type chain_arc_type
+
+    !> Samples of a curve that show where its curvature turns, and steps that narrow one place.
+    integer, parameter :: samples = 512, narrowings = 80
+    !> Points of an arc where its deviation is looked at, and finally measured.
+    integer, parameter :: looks = 48, measures = 256
+    !> Steps that find how far a pair can go, and how near to the furthest is near enough.
+    integer, parameter :: most_steps = 60
+    real(dp), parameter :: near_enough = 1.0e-5_dp
+    !> Arcs of a chain at most.
+    integer, parameter :: most_arcs = 20000
+    !> The part of the tolerance that is aimed at: looks may miss the largest deviation by the rest.
+    real(dp), parameter :: aim = 0.999_dp
+    !> Directions, radians, that are one; curvature, in parts of the largest, that is none.
+    real(dp), parameter :: same_direction = 1.0e-10_dp, no_curvature = 1.0e-9_dp
+
+contains
+
+    !> The chain of arcs along a curve, within a tolerance of it.
+    !>
+    !> Fails with `cause%too_many` where more than `most_arcs` are needed, and with
+    !> `cause%no_convergence` where the curve is not smooth enough for any.
+    pure subroutine arcs_along(f, tolerance, arcs, error)
+        class(plane_curve_type), intent(in) :: f                    !! the curve
+        real(dp), intent(in) :: tolerance                           !! above zero, deck units
+        type(chain_arc_type), allocatable, intent(out) :: arcs(:)   !! in order along the curve
+        type(error_type), allocatable, intent(out) :: error         !! see above
+        type(chain_arc_type), allocatable :: pair(:)
+        real(dp), allocatable :: stops(:)
+        real(dp) :: t, reached
+        integer :: i
+
+        allocate (arcs(0), pair(0), stops(0))
+        stops = curvature_stops(f)
+        do i = 1, size(stops) - 1
+            t = stops(i)
+            do while (t < stops(i + 1))
+                call longest_pair(f, t, stops(i + 1), tolerance, pair, reached)
+                if (size(pair) == 0) then
+                    call fail(error, cause%no_convergence, 'no circular arcs within '// &
+                        compact(tolerance)//' follow a curve at its parameter '//compact(t))
+                    return
+                end if
+                arcs = [arcs, pair]
+                if (size(arcs) > most_arcs) then
+                    call fail(error, cause%too_many, 'circular arcs within '// &
+                        compact(tolerance)//' of a curve are more than '//to_text(most_arcs)// &
+                        '; take a larger tolerance')
+                    return
+                end if
+                t = reached
+            end do
+        end do
+    end subroutine arcs_along
+
+    !> The parameters between which the curvature only grows or only falls and has one sign: the
+    !> ends, zeros and extremes, as `samples` show them.
+    pure function curvature_stops(f) result(stops)
+        class(plane_curve_type), intent(in) :: f !! the curve
+        real(dp), allocatable :: stops(:)
+        real(dp) :: bend(0:samples), t(0:samples), noise
+        integer :: i
+
+        t = [(real(i, dp)/real(samples, dp), i=0, samples)]
+        do i = 0, samples
+            bend(i) = curvature_at(f, t(i))
+        end do
+        noise = no_curvature*maxval(abs(bend))
+        where (abs(bend) <= noise) bend = 0.0_dp
+        stops = [0.0_dp]
+        do i = 1, samples - 1
+            if (bend(i - 1)*bend(i) < 0.0_dp) stops = [stops, zero_of(f, t(i - 1), t(i))]
+            if (.not. abs(bend(i)) > 0.0_dp) then
+                if (abs(bend(i - 1)) > 0.0_dp .or. abs(bend(i + 1)) > 0.0_dp) stops = [stops, t(i)]
+            else if ((abs(bend(i)) - abs(bend(i - 1)))*(abs(bend(i + 1)) - abs(bend(i))) &
+                <= 0.0_dp .and. turns(bend(i - 1:i + 1))) then
+                stops = [stops, extreme_of(f, t(i - 1), t(i + 1), abs(bend(i)) > abs(bend(i - 1)))]
+            end if
+        end do
+        if (bend(samples - 1)*bend(samples) < 0.0_dp) &
+            stops = [stops, zero_of(f, t(samples - 1), t(samples))]
+        stops = [stops, 1.0_dp]
+    contains
+        !> True where three curvatures of one sign have their extreme in the middle, by more than
+        !> noise.
+        pure logical function turns(three)
+            real(dp), intent(in) :: three(3) !! neighbours
+            turns = minval(three)*maxval(three) > 0.0_dp .and. &
+                max(abs(three(2) - three(1)), abs(three(3) - three(2))) > noise
+        end function turns
+    end function curvature_stops
+
+    !> The curvature, 1/deck unit, positive where the curve turns left.
+    pure real(dp) function curvature_at(f, t) result(bend)
+        class(plane_curve_type), intent(in) :: f    !! the curve
+        real(dp), intent(in) :: t                   !! 0 to 1
+        real(dp), dimension(2) :: point, first, second
+        call f%jet(t, point, first, second)
+        bend = cross(first, second)/norm2(first)**3
+    end function curvature_at
+
+    !> Where the curvature changes its sign.
+    pure real(dp) function zero_of(f, from, to) result(t)
+        class(plane_curve_type), intent(in) :: f    !! the curve
+        real(dp), intent(in) :: from                !! parameter
+        real(dp), intent(in) :: to                  !! parameter, the sign is another there
+        real(dp) :: low, high, bend
+        integer :: i
+
+        low = from
+        high = to
+        bend = curvature_at(f, from)
+        do i = 1, narrowings
+            t = 0.5_dp*(low + high)
+            if (curvature_at(f, t)*bend > 0.0_dp) then
+                low = t
+            else
+                high = t
+            end if
+        end do
+    end function zero_of
+
+    !> Where the magnitude of the curvature has its extreme, by the golden section.
+    pure real(dp) function extreme_of(f, from, to, is_greatest) result(t)
+        class(plane_curve_type), intent(in) :: f    !! the curve
+        real(dp), intent(in) :: from                !! parameter
+        real(dp), intent(in) :: to                  !! parameter
+        logical, intent(in) :: is_greatest          !! not the least
+        real(dp), parameter :: golden = 0.6180339887498949_dp
+        real(dp) :: ends(2), inner(2), value(2), way
+        integer :: i
+
+        way = merge(-1.0_dp, 1.0_dp, is_greatest)
+        ends = [from, to]
+        inner = [to - golden*(to - from), from + golden*(to - from)]
+        value = way*[abs(curvature_at(f, inner(1))), abs(curvature_at(f, inner(2)))]
+        do i = 1, narrowings/2
+            if (value(1) <= value(2)) then
+                ends(2) = inner(2)
+                inner = [ends(2) - golden*(ends(2) - ends(1)), inner(1)]
+                value = [way*abs(curvature_at(f, inner(1))), value(1)]
+            else
+                ends(1) = inner(1)
+                inner = [inner(2), ends(1) + golden*(ends(2) - ends(1))]
+                value = [value(2), way*abs(curvature_at(f, inner(2)))]
+            end if
+        end do
+        t = 0.5_dp*sum(ends)
+    end function extreme_of
+
+    !> The longest pair of arcs from a parameter on that stays within a tolerance, up to a stop. The
+    !> deviation grows as the third power of the length: by that the next length is guessed, between
+    !> the longest that is well and the shortest that is not.
+    pure subroutine longest_pair(f, from, stop, tolerance, pair, reached)
+        class(plane_curve_type), intent(in) :: f                    !! the curve
+        real(dp), intent(in) :: from                                !! parameter where it begins
+        real(dp), intent(in) :: stop                                !! parameter, above
+        real(dp), intent(in) :: tolerance                           !! deck units
+        type(chain_arc_type), allocatable, intent(out) :: pair(:)   !! one or two; none: there is none
+        real(dp), intent(out) :: reached                            !! parameter where it ends
+        type(chain_arc_type), allocatable :: tried(:)
+        real(dp) :: good, bad, to, deviation
+        integer :: i
+
+        allocate (pair(0), tried(0))
+        good = from
+        bad = stop
+        to = stop
+        do i = 1, most_steps
+            call try_pair(f, [from, to], looks, tried)
+            deviation = huge(1.0_dp)
+            if (size(tried) > 0) deviation = maxval(tried%deviation)
+            if (deviation <= aim*tolerance) then
+                good = to
+                pair = tried
+                if (to >= stop) exit
+            else
+                bad = to
+            end if
+            if (bad - good <= near_enough*(good - from)) exit
+            if (.not. bad > good) exit
+            to = good + 0.5_dp*(bad - good)
+            if (size(tried) > 0 .and. mod(i, 3) /= 0) &
+                to = guess(tried(size(tried))%ends(2) - from, deviation)
+        end do
+        reached = good
+        if (size(pair) == 0) return
+        call try_pair(f, [from, good], measures, pair)
+    contains
+        !> A length by the law of the third power, kept well inside of what is known.
+        pure real(dp) function guess(length, deviation) result(to)
+            real(dp), intent(in) :: length      !! of the pair tried
+            real(dp), intent(in) :: deviation   !! of it
+            to = from + length*(0.999_dp*aim*tolerance/max(deviation, tiny(1.0_dp)))**(1.0_dp/3.0_dp)
+            to = min(max(to, good + 0.001_dp*(bad - good)), bad - 0.001_dp*(bad - good))
+        end function guess
+    end subroutine longest_pair
+
+    !> The arc, or the two, from a parameter to another, with their deviations; none where there are
+    !> none.
+    pure subroutine try_pair(f, ends, points, pair)
+        class(plane_curve_type), intent(in) :: f                    !! the curve
+        real(dp), intent(in) :: ends(2)                             !! parameters, rising
+        integer, intent(in) :: points                               !! to measure at, of each arc
+        type(chain_arc_type), allocatable, intent(out) :: pair(:)   !! see above
+        real(dp) :: direction(2), at(2, 2)
+        type(circular_type) :: one
+        logical :: exists
+        integer :: i
+
+        do i = 1, 2
+            call look(f, ends(i), at(:, i), direction(i))
+        end do
+        one = circular_between(at(:, 1), direction(1), at(:, 2))
+        if (abs(wrapped(leaving(one) - direction(2))) <= same_direction) then
+            allocate (pair(1))
+            pair(1) = chain_arc_type(one, ends)
+            pair(1)%deviation = deviation_of(f, pair(1), points)
+            if (abs(one%turn) > 0.0_dp .or. one%is_line) return
+            deallocate (pair)
+        end if
+        call arc_pair(f, ends, direction(1), pair, exists)
+        if (.not. exists) then
+            deallocate (pair)
+            allocate (pair(0))
+            return
+        end if
+        do i = 1, 2
+            pair(i)%deviation = deviation_of(f, pair(i), points)
+        end do
+    end subroutine try_pair
+
+    !> The point of a curve and the direction of its tangent.
+    pure subroutine look(f, t, at, direction)
+        class(plane_curve_type), intent(in) :: f    !! the curve
+        real(dp), intent(in) :: t                   !! 0 to 1
+        real(dp), intent(out) :: at(2)              !! deck units
+        real(dp), intent(out) :: direction          !! radians
+        real(dp) :: first(2), second(2)
+        call f%jet(t, at, first, second)
+        direction = atan2(first(2), first(1))
+    end subroutine look
+
+    !> The pair of arcs from a parameter, in a direction, to another, where the second arc ends in
+    !> the direction of the curve: by halving to the last bit.
+    pure subroutine arc_pair(f, ends, direction, pair, exists)
+        class(plane_curve_type), intent(in) :: f                    !! the curve
+        real(dp), intent(in) :: ends(2)                             !! parameters, rising
+        real(dp), intent(in) :: direction                           !! at the first, radians
+        type(chain_arc_type), allocatable, intent(out) :: pair(:)   !! two arcs, where they exist
+        logical, intent(out) :: exists                              !! they do
+        real(dp) :: true(2), at(2, 2), chord, off(2), bounds(2), t, middle(2)
+        type(circular_type) :: first, second
+        integer :: i
+
+        allocate (pair(2))
+        do i = 1, 2
+            call look(f, ends(i), at(:, i), true(i))
+        end do
+        chord = direction_to(at(:, 1), at(:, 2))
+        off(1) = wrapped(2.0_dp*(chord - true(1)) + direction - true(2))
+        off(2) = wrapped(2.0_dp*(true(2) - chord) + direction - true(2))
+        exists = off(1)*off(2) < 0.0_dp
+        if (.not. exists) return
+        bounds = ends
+        do
+            t = bounds(1) + 0.5_dp*(bounds(2) - bounds(1))
+            if (t <= bounds(1) .or. t >= bounds(2)) exit
+            middle = point_at(f, t)
+            bounds(merge(1, 2, off(1)*wrapped(2.0_dp*(direction_to(middle, at(:, 2)) &
+                - direction_to(at(:, 1), middle)) + direction - true(2)) > 0.0_dp)) = t
+        end do
+        first = circular_between(at(:, 1), direction, point_at(f, t))
+        second = circular_between(point_at(f, t), leaving(first), at(:, 2))
+        exists = first%turn*second%turn > 0.0_dp
+        pair(1) = chain_arc_type(first, [ends(1), t], is_primary=.false.)
+        pair(2) = chain_arc_type(second, [t, ends(2)])
+    end subroutine arc_pair
+
+    !> The point of a curve.
+    pure function point_at(f, t) result(at)
+        class(plane_curve_type), intent(in) :: f    !! the curve
+        real(dp), intent(in) :: t                   !! 0 to 1
+        real(dp) :: at(2), first(2), second(2)
+        call f%jet(t, at, first, second)
+    end function point_at
+
+    !> The largest distance from the curve to an arc that stands for it.
+    pure real(dp) function deviation_of(f, arc, points) result(deviation)
+        class(plane_curve_type), intent(in) :: f    !! the curve
+        type(chain_arc_type), intent(in) :: arc     !! with its parameters
+        integer, intent(in) :: points               !! where it is measured
+        integer :: i
+
+        deviation = 0.0_dp
+        do i = 1, points - 1
+            deviation = max(deviation, distance_from(arc%arc, point_at(f, arc%ends(1) &
+                + real(i, dp)/real(points, dp)*(arc%ends(2) - arc%ends(1)))))
+        end do
+    end function deviation_of
+
+end module geom_arc_chain
