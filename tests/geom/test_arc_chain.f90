@@ -115,6 +115,7 @@ contains
         logical :: are_same
 
         f = example_type(2, [-6.0_dp, 6.0_dp])
+        allocate (stops(0))
         stops = curvature_stops(f)
         call tap%ok(size(stops) == 5, 'the cubic turns from one curvature to another three times')
         call tap%near(maxval(abs(12.0_dp*stops(2:4) - 6.0_dp - [-3.0334771757_dp, 0.0_dp, &
