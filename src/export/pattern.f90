@@ -15,6 +15,7 @@ module export_pattern
     use export_pattern_part, only: new_part, part_type
     use export_pattern_sheets, only: fitted_page, framed_part, make_sheets
     use export_pattern_tiles, only: tile_sheet
+    use export_pattern_tiling, only: strip_height
     use export_receipt, only: receipt_type
     use export_settings, only: settings_type
     use export_units, only: find_unit, unit_type
@@ -25,11 +26,13 @@ module export_pattern
 
     !> The tolerance where none is asked for, in.
     real(dp), parameter :: usual_tolerance = 1.0e-3_dp
+    !> The longest page of a roll, in: that of a PDF.
+    real(dp), parameter :: longest_page = 200.0_dp
 
 contains
 
-    !> Lays out the cuts of a drawing. Fails with `cause%usage` where there is no cut to draw, where
-    !> the unit or the paper can't be, or where a part is wider than a roll.
+    !> Lays out the cuts of a drawing. Fails with `cause%usage` where there is no cut to draw, or
+    !> where the unit or the paper can't be.
     pure subroutine lay_out(drawing, settings, pages, receipt, error)
         type(drawing_type), intent(in) :: drawing               !! in any unit
         type(settings_type), intent(in) :: settings             !! what is asked for
@@ -50,8 +53,7 @@ contains
                 'STATION, BUTTOCK, WATERLN, OBLIQUE or PLANE card that cuts the body')
             return
         end if
-        call make_sheets(parts, settings%is_each, paper, sheets, error)
-        if (allocated(error)) return
+        call make_sheets(parts, settings%is_each, paper, sheets)
         call make_pages(sheets, paper, heading_of(drawing), pages)
     end subroutine lay_out
 
@@ -120,6 +122,9 @@ contains
 
         if (paper%kind == paper_kind%sheets) then
             call tile_sheet(sheet, paper, heading, pages)
+        else if (paper%kind == paper_kind%roll .and. &
+            sheet%size(1) > paper%size(1) - 2.0_dp*paper%margin) then
+            call tile_sheet(sheet, strips_for(sheet, paper), heading, pages)
         else
             allocate (pages(1))
             pages(1) = fitted_page(sheet, paper, heading)
@@ -128,6 +133,16 @@ contains
             pages(i)%title = heading
         end do
     end subroutine print_sheet
+
+    !> A roll cut in lengths for a sheet that is wider: as long as the sheet, or as a page may be.
+    pure type(paper_type) function strips_for(sheet, roll) result(strips)
+        type(page_type), intent(in) :: sheet        !! wider than the roll
+        type(paper_type), intent(in) :: roll        !! what it is printed on
+
+        strips = roll
+        strips%size(2) = min(longest_page, strip_height + 2.0_dp*roll%margin + &
+            real(ceiling(sheet%size(2) + roll%overlap), dp))
+    end function strips_for
 
     !> What each page says of the deck.
     pure function heading_of(drawing) result(heading)

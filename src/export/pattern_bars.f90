@@ -12,7 +12,8 @@ module export_pattern_bars
     public :: draw_bars, bars_height, bars_length
 
     !> Lengths that bars may have, inches and centimetres.
-    integer, parameter :: in_lengths(6) = [10, 5, 4, 3, 2, 1], cm_lengths(6) = [25, 20, 10, 5, 3, 2]
+    integer, parameter :: in_lengths(6) = [10, 5, 4, 3, 2, 1], &
+        cm_lengths(7) = [25, 20, 15, 10, 5, 3, 2]
     !> Inches of a centimetre.
     real(dp), parameter :: centimetre = 1.0_dp/2.54_dp
     !> Ticks at the ends and between, the height of the words and their distance from the bar, and

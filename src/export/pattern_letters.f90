@@ -9,7 +9,7 @@ module export_pattern_letters
     implicit none (type, external)
     private
 
-    public :: codes_of, utf8, win_ansi, text_width, unknown
+    public :: codes_of, utf8, win_ansi, text_width, shortened, unknown
 
     !> The character that stands for bytes that are none, and for control characters.
     integer, parameter :: unknown = 65533
@@ -124,6 +124,29 @@ contains
         end do
         width = height*real(thousandths, dp)/1000.0_dp
     end function text_width
+
+    !> As much of a text as there is room for, with three points where something is left out.
+    pure function shortened(text, height, width) result(short)
+        character(*), intent(in) :: text    !! any bytes
+        real(dp), intent(in) :: height      !! of the type
+        real(dp), intent(in) :: width       !! of the room
+        character(:), allocatable :: short
+        integer, allocatable :: codes(:)
+        integer :: count, i
+
+        short = text
+        if (text_width(text, height, .false.) <= width) return
+        allocate (codes(0))
+        codes = codes_of(text)
+        do count = size(codes) - 1, 0, -1
+            short = ''
+            do i = 1, count
+                short = short//utf8(codes(i))
+            end do
+            short = trim(short)//'...'
+            if (text_width(short, height, .false.) <= width) return
+        end do
+    end function shortened
 
     !> The width of a character, thousandths of its height.
     pure integer function letter_width(code, is_bold) result(width)

@@ -12,15 +12,16 @@ module export_pattern_map
     public :: draw_map, blank_tiles
 
     !> Straight pieces that stand for a Bezier arc.
-    integer, parameter :: pieces = 6
+    integer, parameter :: pieces = 24
     !> Points of the map nearer to each other are one, in.
-    real(dp), parameter :: finest = 0.01_dp
+    real(dp), parameter :: finest = 0.015_dp
     !> The tallest name of a tile, and what part of its cell a name takes.
     real(dp), parameter :: tallest_name = 0.2_dp, name_part = 0.3_dp
 
 contains
 
-    !> Draws the map in the middle of a box. Tile [0, 0] marks none.
+    !> Draws the map in the middle of a box. Tile [0, 0] marks none: then all have names, and those
+    !> that are left out are crossed.
     pure subroutine draw_map(page, sheet, tiling, box, tile)
         type(page_type), intent(inout) :: page      !! gets it
         type(page_type), intent(in) :: sheet        !! what is drawn
@@ -33,25 +34,53 @@ contains
         whole = tiling%cell*real(shape(tiling%has_tile), dp)
         scale = minval((box(3:) - box(:2))/whole)
         corner = box(:2) + 0.5_dp*(box(3:) - box(:2) - scale*whole) - scale*tiling%corner
-        if (all(tile > 0)) call page%draw(style%map_this, &
-            frame(scale, corner, cell_of(tiling, tile(1), tile(2))), .true.)
-        do k = 1, size(tiling%has_tile, 2)
-            do i = 1, size(tiling%has_tile, 1)
-                call draw_cell(page, frame(scale, corner, cell_of(tiling, i, k)), &
-                    tiling%has_tile(i, k))
+        if (all(tile > 0)) then
+            call page%draw(style%map_this, &
+                frame(scale, corner, cell_of(tiling, tile(1), tile(2))), .true.)
+            call draw_net(page, frame(scale, corner, [tiling%corner, tiling%corner + whole]), &
+                shape(tiling%has_tile))
+        else
+            do k = 1, size(tiling%has_tile, 2)
+                do i = 1, size(tiling%has_tile, 1)
+                    call draw_cell(page, frame(scale, corner, cell_of(tiling, i, k)), &
+                        tiling%has_tile(i, k))
+                    call draw_name(page, frame(scale, corner, cell_of(tiling, i, k)), &
+                        tile_name(i, k))
+                end do
             end do
-        end do
+        end if
         do i = 1, sheet%count
             if (sheet%items(i)%style == style%outline) &
                 call draw_small(page, sheet%items(i), scale, corner)
         end do
-        if (any(tile > 0)) return
-        do k = 1, size(tiling%has_tile, 2)
-            do i = 1, size(tiling%has_tile, 1)
-                call draw_name(page, frame(scale, corner, cell_of(tiling, i, k)), tile_name(i, k))
-            end do
-        end do
     end subroutine draw_map
+
+    !> Draws all cells by the lines between them.
+    pure subroutine draw_net(page, corners, cells)
+        type(page_type), intent(inout) :: page      !! gets them
+        real(dp), intent(in) :: corners(2, 4)       !! of all cells, in
+        integer, intent(in) :: cells(2)             !! columns and rows
+        real(dp) :: part
+        integer :: i
+
+        do i = 0, cells(1)
+            part = real(i, dp)/real(cells(1), dp)
+            call page%draw(style%map, between(corners(:, [1, 4]), corners(:, [2, 3]), part))
+        end do
+        do i = 0, cells(2)
+            part = real(i, dp)/real(cells(2), dp)
+            call page%draw(style%map, between(corners(:, [1, 2]), corners(:, [4, 3]), part))
+        end do
+    end subroutine draw_net
+
+    !> A line between two others.
+    pure function between(first, second, part) result(line)
+        real(dp), intent(in) :: first(2, 2)     !! ends, in
+        real(dp), intent(in) :: second(2, 2)    !! ends, in
+        real(dp), intent(in) :: part            !! 0: the first, 1: the second
+        real(dp) :: line(2, 2)
+        line = (1.0_dp - part)*first + part*second
+    end function between
 
     !> Draws the cell of a tile; crossed where it is left out.
     pure subroutine draw_cell(page, corners, has_tile)

@@ -4,6 +4,7 @@
 module export_pattern_match
     use base_kinds, only: dp
     use export_pattern_clip, only: anything_in
+    use export_pattern_letters, only: text_width
     use export_pattern_page, only: label_type, page_type, side
     use export_pattern_style, only: style
     use export_pattern_tiling, only: cell_of, letters_of, tiling_type, window_of
@@ -140,7 +141,7 @@ contains
         call page%draw_curves(style%cross, match%radius*circle() + spread(at, 2, 13), .true.)
         aside = merge([0.5_dp, 0.0_dp], [0.0_dp, 0.5_dp], match%is_upright)*match%radius
         label%text = match%letters
-        label%height = 0.8_dp*match%radius/real(max(1, len(match%letters) - 1), dp)
+        label%height = 0.8_dp*match%radius/max(1.0_dp, text_width(match%letters, 1.0_dp, .false.))
         label%side = side%middle
         call page%write(style%sheet_words, at - aside - [0.0_dp, 0.36_dp*label%height], label)
         call page%write(style%sheet_words, at + aside - [0.0_dp, 0.36_dp*label%height], label)

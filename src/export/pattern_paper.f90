@@ -25,6 +25,7 @@ module export_pattern_paper
         real(dp) :: size(2) = 0.0_dp    !! of a sheet upright, width and height; of a roll its width
         real(dp) :: margin = 0.5_dp     !! that can't be printed, and a little more, in
         real(dp) :: overlap = 0.5_dp    !! of tiles, in
+        logical :: is_upright = .false. !! it can't be used across
     end type paper_type
 
     !> Inches of a millimetre.
@@ -52,19 +53,21 @@ contains
         if (settings%paper == 'roll') then
             paper%kind = paper_kind%roll
             paper%size(1) = inch*settings%roll_width
+            paper%is_upright = .true.
             if (paper%size(1) < narrowest_roll) call fail(error, cause%usage, 'a roll '// &
                 inches(paper%size(1))//' in wide; it takes '//inches(narrowest_roll)//' in or more')
-            return
+        else
+            which = findloc(names == settings%paper, .true., dim=1)
+            if (which == 0) then
+                call fail(error, cause%usage, 'paper '//settings%paper// &
+                    '; there are a4, letter, a3, tabloid and roll')
+                return
+            end if
+            paper%kind = paper_kind%sheets
+            paper%size = sizes(:, which)
+            paper%margin = printer_margin
         end if
-        which = findloc(names == settings%paper, .true., dim=1)
-        if (which == 0) then
-            call fail(error, cause%usage, 'paper '//settings%paper// &
-                '; there are a4, letter, a3, tabloid and roll')
-            return
-        end if
-        paper%kind = paper_kind%sheets
-        paper%size = sizes(:, which)
-        paper%margin = printer_margin
+        if (allocated(error)) return
         if (settings%overlap > 0.0_dp) paper%overlap = inch*settings%overlap
         if (paper%overlap < least_overlap .or. paper%overlap > most_overlap) &
             call fail(error, cause%usage, 'tiles that overlap by '//inches(paper%overlap)// &

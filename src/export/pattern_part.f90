@@ -37,8 +37,9 @@ module export_pattern_part
         real(dp) :: error = 0.0_dp                  !! largest of the outlines, in
     end type part_type
 
-    !> What rounding in the file adds to an error: half of 1e-6 in in each of two directions.
-    real(dp), parameter :: rounding = 0.71e-6_dp
+    !> What rounding in the file adds to an error, in: PDF has five decimals of a 72nd, SVG four of a
+    !> thousandth of an inch, in each of two directions.
+    real(dp), parameter :: rounding = 1.0e-7_dp
     !> Nearer than this to the fold is on it, in.
     real(dp), parameter :: on_centre = 1.0e-4_dp
     !> Straight pieces that stand for a Bezier arc where words are placed.
@@ -126,8 +127,8 @@ contains
         traced%is_inside = contour%is_inside
         do i = 1, size(contour%curves)
             call flatten(shape, contour%curves(i)%spline, inch, flat)
-            left = max(tolerance - contour%curves(i)%error, least_share*tolerance)
-            call cubics_of(flat, inch*left, arcs, largest)
+            left = inch*(tolerance - contour%curves(i)%error) - rounding
+            call cubics_of(flat, max(left, least_share*inch*tolerance), arcs, largest)
             call append(traced%control, arcs)
             traced%error = max(traced%error, largest + inch*contour%curves(i)%error)
         end do

@@ -1,11 +1,9 @@
 !> Sheets of patterns: parts set in rows, or one on each sheet; and the pages of those sheets that
 !> are as large as what is on them.
 module export_pattern_sheets
-    use base_error, only: cause, error_type, fail
     use base_kinds, only: dp
     use base_text, only: to_text
     use export_pattern_bars, only: bars_height, draw_bars
-    use export_pattern_number, only: inches
     use export_pattern_page, only: bounds_of, label_type, page_type
     use export_pattern_paper, only: paper_kind, paper_type
     use export_pattern_rows, only: best_rows, rows_type, rows_within
@@ -40,29 +38,31 @@ contains
         call framed%place(page, -box(:2), .false.)
     end function framed_part
 
-    !> Sets parts on sheets: in rows on one, of a roll on as few as can be; or one on each.
-    !>
-    !> Fails with `cause%usage` where a part is wider than a roll, either way.
-    pure subroutine make_sheets(parts, is_each, paper, sheets, error)
+    !> Sets parts on sheets: in rows on one, of a roll on as few as can be; or one on each. A part
+    !> that is wider than the roll, either way, has a sheet of its own, its longer side along it.
+    pure subroutine make_sheets(parts, is_each, paper, sheets)
         type(page_type), intent(in) :: parts(:)                 !! from `framed_part`
         logical, intent(in) :: is_each                          !! a sheet for each part
         type(paper_type), intent(in) :: paper                   !! what it is printed on
         type(page_type), allocatable, intent(out) :: sheets(:)  !! the sheets
-        type(error_type), allocatable, intent(out) :: error     !! see above
         type(rows_type) :: rows
-        logical :: is_turned(size(parts))
+        logical :: is_turned(size(parts)), is_alone(size(parts))
         integer :: first, last, i, count
 
-        call turn_wide(parts, paper, is_turned, error)
-        if (allocated(error)) return
+        call turn_wide(parts, paper, is_turned, is_alone)
+        is_alone = is_alone .or. is_each
         allocate (sheets(size(parts)))
         count = 0
         first = 1
         do while (first <= size(parts))
-            last = merge(first, size(parts), is_each)
+            last = first
+            do while (.not. is_alone(first) .and. last < size(parts))
+                if (is_alone(last + 1)) exit
+                last = last + 1
+            end do
             do
                 rows = set_rows(parts(first:last), is_turned(first:last), paper)
-                if (paper%kind == paper_kind%fitted .or. first == last) exit
+                if (paper%kind /= paper_kind%roll .or. first == last) exit
                 if (maxval(rows%size) <= longest_sheet) exit
                 last = last - 1
             end do
@@ -82,25 +82,22 @@ contains
         sheets = sheets(:count)
     end subroutine make_sheets
 
-    !> Which parts are turned to fit on a roll. Fails where one does not, either way.
-    pure subroutine turn_wide(parts, paper, is_turned, error)
+    !> Which parts are turned to fit on a roll, and which do not fit either way.
+    pure subroutine turn_wide(parts, paper, is_turned, is_too_wide)
         type(page_type), intent(in) :: parts(:)             !! the parts
         type(paper_type), intent(in) :: paper               !! what they are printed on
         logical, intent(out) :: is_turned(:)                !! by a quarter, to the left
-        type(error_type), allocatable, intent(out) :: error !! see above
+        logical, intent(out) :: is_too_wide(:)              !! for the roll, either way
         real(dp) :: width
         integer :: i
 
         is_turned = .false.
+        is_too_wide = .false.
         if (paper%kind /= paper_kind%roll) return
         width = paper%size(1) - 2.0_dp*paper%margin
         do i = 1, size(parts)
-            is_turned(i) = parts(i)%size(1) > width
-            if (minval(parts(i)%size) <= width) cycle
-            call fail(error, cause%usage, parts(i)%label//' takes a roll '// &
-                inches(minval(parts(i)%size) + 2.0_dp*paper%margin)//' in wide; take that, or '// &
-                'paper (a4, letter, a3, tabloid), which is tiled')
-            return
+            is_too_wide(i) = minval(parts(i)%size) > width
+            is_turned(i) = parts(i)%size(1) > merge(parts(i)%size(2), width, is_too_wide(i))
         end do
     end subroutine turn_wide
 

@@ -5,7 +5,7 @@ module export_pattern_tiles
     use base_text, only: to_text
     use export_pattern_bars, only: draw_bars
     use export_pattern_clip, only: add_within
-    use export_pattern_letters, only: text_width
+    use export_pattern_letters, only: shortened, text_width
     use export_pattern_map, only: blank_tiles, draw_map
     use export_pattern_match, only: draw_crosses, draw_matches, find_matches, match_type
     use export_pattern_number, only: inches, short
@@ -19,10 +19,11 @@ module export_pattern_tiles
     public :: tile_sheet
 
     !> Room for the small map and for the words beside it, heights of type: in.
-    real(dp), parameter :: map_width = 1.0_dp, words_width = 2.45_dp, gap = 0.12_dp, &
+    real(dp), parameter :: map_width = 1.0_dp, words_width = 2.3_dp, gap = 0.12_dp, &
         height = 0.1_dp, name_height = 0.3_dp, title_height = 0.25_dp, line_height = 0.155_dp
-    !> Lines of a page map: above the map, and from line to line, in.
-    real(dp), parameter :: head_height = 1.9_dp, body_height = 0.12_dp, body_line = 0.19_dp
+    !> A page map: its height on a roll, lines above it, their type, and from line to line: in.
+    real(dp), parameter :: roll_map = 12.0_dp, head_height = 1.9_dp, &
+        body_height = 0.12_dp, body_line = 0.19_dp
 
 contains
 
@@ -47,7 +48,7 @@ contains
         end if
         call find_matches(sheet, tiling, matches)
         allocate (pages(1 + count_tiles(tiling)))
-        call draw_overview(pages(1), sheet, tiling, heading)
+        call draw_overview(pages(1), sheet, tiling, paper%is_upright, heading)
         count = 1
         do k = 1, size(tiling%has_tile, 2)
             do i = 1, size(tiling%has_tile, 1)
@@ -119,9 +120,9 @@ contains
         end if
         at(2) = at(2) + strip_height - gap - name_height
         if (tiling%is_one) then
-            call write_words(page, sheet%label, title_height, at)
+            call write_words(page, sheet%label, title_height, at, words_width)
         else
-            call write_words(page, tile_name(tile(1), tile(2)), name_height, at)
+            call write_words(page, tile_name(tile(1), tile(2)), name_height, at, words_width)
         end if
         at(2) = at(2) - 0.1_dp
         call write_line(page, heading, at)
@@ -145,28 +146,30 @@ contains
         real(dp), intent(inout) :: at(2)            !! base line of that above; then its own, in
 
         at(2) = at(2) - line_height
-        call write_words(page, words, height, at)
+        call write_words(page, words, height, at, words_width)
     end subroutine write_line
 
     !> Writes words of the sheet.
-    pure subroutine write_words(page, words, type_height, at)
+    pure subroutine write_words(page, words, type_height, at, width)
         type(page_type), intent(inout) :: page      !! gets them
         character(*), intent(in) :: words           !! any bytes
         real(dp), intent(in) :: type_height         !! in
         real(dp), intent(in) :: at(2)               !! start of the base line, in
+        real(dp), intent(in) :: width               !! of the room, in
         type(label_type) :: label
 
-        label%text = words
+        label%text = shortened(words, type_height, width)
         label%height = type_height
         label%is_bold = type_height > 0.2_dp
         call page%write(style%sheet_words, at, label)
     end subroutine write_words
 
     !> Draws the page map, with what to do.
-    pure subroutine draw_overview(page, sheet, tiling, heading)
+    pure subroutine draw_overview(page, sheet, tiling, is_roll, heading)
         type(page_type), intent(inout) :: page      !! gets it
         type(page_type), intent(in) :: sheet        !! what is drawn
         type(tiling_type), intent(in) :: tiling     !! its tiles
+        logical, intent(in) :: is_roll              !! paper is as long as it must be
         character(*), intent(in) :: heading         !! of the deck
         character(:), allocatable :: blanks
         real(dp) :: at(2), box(4)
@@ -174,8 +177,9 @@ contains
         page%name = sheet%name//'-map'
         page%label = sheet%label//' PAGE MAP'
         page%size = tiling%paper
-        at = [tiling%margin, tiling%paper(2) - tiling%margin - title_height]
-        call write_words(page, page%label, title_height, at)
+        if (is_roll) page%size(2) = min(page%size(2), roll_map)
+        at = [tiling%margin, page%size(2) - tiling%margin - title_height]
+        call write_words(page, page%label, title_height, at, page%size(1) - 2.0_dp*at(1))
         at(2) = at(2) - 0.05_dp
         call write_body(page, heading, at)
         call write_body(page, to_text(count_tiles(tiling))//' TILES, '//inches(sheet%size(1))// &
@@ -191,7 +195,7 @@ contains
             'CIRCLES AND CROSSES ARE WHOLE. TAPE.', at)
         call write_body(page, '4  MEASURE FROM CROSS TO CROSS: '//short(tiling%cell(1), 3)// &
             ' in ACROSS, '//short(tiling%cell(2), 3)//' in UP.', at)
-        box = [[0.0_dp, 0.0_dp] + tiling%margin, tiling%paper - tiling%margin]
+        box = [[0.0_dp, 0.0_dp] + tiling%margin, page%size - tiling%margin]
         call draw_bars(page, box(:2), box(3) - box(1))
         call draw_map(page, sheet, tiling, box + [0.0_dp, strip_height, 0.0_dp, -head_height], &
             [0, 0])
@@ -204,7 +208,7 @@ contains
         real(dp), intent(inout) :: at(2)            !! base line of that above; then its own, in
 
         at(2) = at(2) - body_line
-        call write_words(page, words, body_height, at)
+        call write_words(page, words, body_height, at, page%size(1) - 2.0_dp*at(1))
     end subroutine write_body
 
 end module export_pattern_tiles

@@ -40,6 +40,7 @@ contains
         type(tiling_type) :: across
 
         call part_sheet(sheet, paper, paper%size, tiling)
+        if (paper%is_upright) return
         call part_sheet(sheet, paper, [paper%size(2), paper%size(1)], across)
         if (count(across%has_tile) < count(tiling%has_tile)) tiling = across
     end subroutine new_tiling

@@ -17,7 +17,7 @@ module export_svg
 
     !> User units of an inch, and decimals of theirs.
     real(dp), parameter :: mils = 1000.0_dp
-    integer, parameter :: decimals = 3
+    integer, parameter :: decimals = 4
 
 contains
 

@@ -59,6 +59,11 @@ program test_pattern
     call tap%ok(size(pages) == 1 .and. abs(pages(1)%size(1) - 30.0_dp) < 1.0e-12_dp, &
         'on a roll it is as wide as the roll')
 
+    settings%roll_width = 16.0_dp
+    call lay_out(drawing, settings, pages, receipt, error)
+    call tap%ok(size(pages) == 4 .and. all([pages(2)%size(1), pages(3)%size(1)] < 16.1_dp) .and. &
+        pages(1)%size(2) < pages(2)%size(2), 'what is wider is tiled in lengths, after a map')
+
     drawing%units = 'MM'
     settings = settings_type()
     call lay_out(drawing, settings, pages, receipt, error)

@@ -2,7 +2,7 @@
 !> and of the AFM files of Helvetica.
 program test_pattern_letters
     use base_kinds, only: dp
-    use export_pattern_letters, only: codes_of, text_width, unknown, utf8, win_ansi
+    use export_pattern_letters, only: codes_of, shortened, text_width, unknown, utf8, win_ansi
     use support_tap, only: tap_type
     implicit none (type, external)
 
@@ -39,5 +39,8 @@ program test_pattern_letters
         'of Helvetica-Bold: 667 611 722 278 556 556')
     call tap%near(text_width(char(194)//char(176), 1.0_dp, .false.), 0.4_dp, 1.0e-12_dp, &
         'the sign of degrees')
+    call tap%same(shortened('STA 20', 1.0_dp, 3.4_dp), 'STA 20', 'what has room is not shortened')
+    call tap%same(shortened('STA 20', 1.0_dp, 3.2_dp), 'STA...', 'what has none ends in points')
+    call tap%same(shortened('STA 20', 1.0_dp, 0.1_dp), '...', 'however short')
     call tap%finish()
 end program test_pattern_letters

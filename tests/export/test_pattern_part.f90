@@ -45,7 +45,7 @@ contains
         end associate
         call tap%ok(largest <= tolerance, 'a circle in mm is within the tolerance, in inches')
         call tap%ok(receipt%entities(1)%error >= largest .and. &
-            receipt%entities(1)%error <= 1.01_dp*tolerance + 4.0e-5_dp, &
+            receipt%entities(1)%error <= tolerance + 3.0e-6_dp, &
             'the receipt states no less, and little more than was asked for')
         call tap%ok(receipt%count == 2 .and. receipt%entities(2)%kind == 'BEZIER INSIDE OF SKIN', &
             'and has the inside')

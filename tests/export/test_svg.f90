@@ -35,8 +35,8 @@ program test_svg
     call tap%has(text, '<title>A &#38; B, A1</title>', 'and a title')
     call tap%has(text, 'd="M 1000 8000'//new_line('a')//'C 1000 7000 2000 6000 3000 6000'// &
         new_line('a')//'L 6000 6000 Z"', 'curves are cubic, straight arcs lines, y goes down')
-    call tap%has(text, 'L 12345.679 0"', 'coordinates have three decimals of a mil')
-    call tap%has(text, 'stroke-width="13.78"', 'lines their weight')
+    call tap%has(text, 'L 12345.6789 0"', 'coordinates have four decimals of a mil')
+    call tap%has(text, 'stroke-width="13.7795"', 'lines their weight')
     call tap%has(text, 'stroke-dasharray="500 60 60 60"', 'and dashes')
     call tap%has(text, '<g id="part-20_CABIN" inkscape:groupmode="layer" '// &
         'inkscape:label="STATION &#34;20&#34; &#60;CABIN&#62; '//char(239)//char(191)// &
