@@ -87,9 +87,10 @@ contains
         drawing%deck = 'empty.crd'
         drawing%title = ''
         drawing%units = 'MM'
+        allocate (drawing%cuts(0), drawing%lines(0))
         call write_step(drawing, none, settings, out, receipt, error)
         call tap%ok(allocated(error), 'nothing to export is an error')
-        if (allocated(error)) call tap%ok(error%cause == cause%no_arc, 'of its cause')
+        if (allocated(error)) call tap%ok(error%cause == cause%usage, 'of its cause')
         call tap%same(out%text(), '', 'and nothing is written')
         drawing = deck()
         drawing%units = 'CUBITS'

@@ -8,7 +8,6 @@ OpenCASCADE reads into millimetres, so that a wrong unit of the file is seen.
 """
 import argparse
 import csv
-import sys
 
 import numpy as np
 from OCP.BRep import BRep_Builder, BRep_Tool
@@ -24,34 +23,13 @@ from OCP.GProp import GProp_GProps
 from OCP.IFSelect import IFSelect_RetDone
 from OCP.ShapeAnalysis import ShapeAnalysis_ShapeTolerance
 from OCP.STEPControl import STEPControl_Reader
-from OCP.TopAbs import TopAbs_EDGE, TopAbs_FACE, TopAbs_SHELL, TopAbs_SOLID
+from OCP.TopAbs import TopAbs_COMPOUND, TopAbs_EDGE, TopAbs_FACE, TopAbs_SHELL, TopAbs_SOLID
 from OCP.TopExp import TopExp_Explorer
-from OCP.TopoDS import TopoDS, TopoDS_Compound
+from OCP.TopoDS import TopoDS, TopoDS_Compound, TopoDS_Iterator
+
+from outlines import Tally
 
 KINDS = {'solids': TopAbs_SOLID, 'shells': TopAbs_SHELL, 'faces': TopAbs_FACE}
-
-
-class Tally:
-    """Checks so far."""
-
-    def __init__(self):
-        self.run = self.failed = 0
-
-    def ok(self, passed, name):
-        """Counts a check."""
-        self.run += 1
-        self.failed += not passed
-        print(f'{"ok" if passed else "not ok"} {self.run} - {name}')
-
-    def close(self, found, wanted, relative, name):
-        """Counts a check of a number."""
-        off = abs(found - wanted) / abs(wanted)
-        self.ok(off <= relative, f'{name} {found:.10g}, {off:.1e} off')
-
-    def finish(self):
-        """Prints the plan and ends."""
-        print(f'1..{self.run}')
-        sys.exit(1 if self.failed or not self.run else 0)
 
 
 def parts(shape, kind):
@@ -104,8 +82,37 @@ def read_csv(name):
     with open(name, encoding='latin-1') as file:
         for row in csv.DictReader(file):
             numbers = [float(row[column] or 0) for column in ('sta', 'bl', 'wl', 'bevel')]
-            cuts.setdefault(row['cut'], []).append(numbers)
-    return {cut: np.array(rows) for cut, rows in cuts.items()}
+            cuts.setdefault(int(row['cut']), []).append(numbers)
+    return {cut: np.array(cuts[cut]) for cut in sorted(cuts)}
+
+
+def children(shape):
+    """What a compound is made of."""
+    found, iterator = [], TopoDS_Iterator(shape)
+    while iterator.More():
+        found.append(iterator.Value())
+        iterator.Next()
+    return found
+
+
+def curve_sets(shape):
+    """The compounds of curves that are all of a product, one for each set of curves."""
+    return [part for group in children(shape) if group.ShapeType() == TopAbs_COMPOUND
+            for part in children(group) if part.ShapeType() == TopAbs_COMPOUND]
+
+
+def complaints(reader):
+    """What the reader finds wrong with the file, or could not make a shape of."""
+    found = []
+    process = reader.WS().TransferReader().TransientProcess()
+    for checks in (reader.WS().ModelCheckList(), process.CheckList(False)):
+        checks.Start()
+        while checks.More():
+            check = checks.Value()
+            found += [check.CFail(i + 1) for i in range(check.NbFails())]
+            found += [check.CWarning(i + 1) for i in range(check.NbWarnings())]
+            checks.Next()
+    return found
 
 
 def distance(shape, point):
@@ -138,6 +145,9 @@ def section(shape, points):
 def judge_shape(tally, shape, wanted):
     """What was read is sound, and as much as is wanted."""
     tally.ok(BRepCheck_Analyzer(shape).IsValid(), 'BRepCheck finds no fault')
+    if wanted.sets is not None:
+        found = len(curve_sets(shape))
+        tally.ok(found == wanted.sets, f'sets of curves: {found}')
     for name, kind in KINDS.items():
         count = getattr(wanted, name)
         if count is not None:
@@ -157,17 +167,32 @@ def judge_shape(tally, shape, wanted):
         tally.ok(found <= wanted.gap, f'edges are on their faces within {found:.1e}')
 
 
+def close(tally, found, wanted, relative, name):
+    """Counts a check of a measure."""
+    off = abs(found - wanted) / abs(wanted)
+    tally.ok(off <= relative, f'{name} {found:.10g}, {off:.1e} off')
+
+
 def judge_measures(tally, shape, wanted):
     """Areas and volume."""
     faces = parts(shape, TopAbs_FACE)
     if wanted.area is not None:
-        tally.close(area(faces) / wanted.unit**2, wanted.area, wanted.relative, 'area')
+        close(tally, area(faces) / wanted.unit**2, wanted.area, wanted.relative, 'area')
     if wanted.skin is not None:
-        tally.close(area([face for face in faces if not is_flat(face)]) / wanted.unit**2,
-                    wanted.skin, wanted.relative, 'area without flat faces')
+        close(tally, area([face for face in faces if not is_flat(face)]) / wanted.unit**2,
+              wanted.skin, wanted.relative, 'area without flat faces')
     if wanted.volume is not None:
-        tally.close(volume(parts(shape, TopAbs_SOLID)) / wanted.unit**3, wanted.volume,
-                    wanted.relative, 'volume')
+        close(tally, volume(parts(shape, TopAbs_SOLID)) / wanted.unit**3, wanted.volume,
+              wanted.relative, 'volume')
+
+
+def judge_cuts(tally, shape, cuts, wanted):
+    """Points of a cut are on its own set of curves: the first sets of the file, in order."""
+    for (name, rows), curves in zip(cuts.items(), curve_sets(shape)):
+        worst = max(distance(curves, point) for point in rows[:, :3] * wanted.unit)
+        tally.ok(worst <= wanted.within * wanted.unit,
+                 f'cut {name}: {len(rows)} points are on its curves within '
+                 f'{worst / wanted.unit:.1e}')
 
 
 def judge_points(tally, skin, cuts, wanted):
@@ -204,13 +229,14 @@ def arguments():
     parser = argparse.ArgumentParser(description='Judges a STEP file by OpenCASCADE.')
     parser.add_argument('file')
     parser.add_argument('--unit', type=float, default=1.0, help='millimetres of the unit')
-    for name in (*KINDS, 'curves', 'free'):
+    for name in (*KINDS, 'sets', 'curves', 'free'):
         parser.add_argument('--' + name, type=int, help='how many')
     for name in ('area', 'skin', 'volume', 'gap'):
         parser.add_argument('--' + name, type=float)
     parser.add_argument('--relative', type=float, default=1e-6, help='of areas and volume')
     parser.add_argument('--points', help='CSV of points on the skin')
     parser.add_argument('--sample', type=int, help='of so many points')
+    parser.add_argument('--cuts', help='CSV of the cuts that are in the file')
     parser.add_argument('--sections', help='CSV of plane cuts')
     parser.add_argument('--within', type=float, help='distance allowed of points')
     return parser.parse_args()
@@ -223,12 +249,16 @@ def main():
     tally.ok(reader.ReadFile(wanted.file) == IFSelect_RetDone, f'{wanted.file} can be read')
     roots = reader.NbRootsForTransfer()
     tally.ok(roots == 1 and reader.TransferRoots() == roots, 'it has one product')
+    found = complaints(reader)
+    tally.ok(not found, f'without complaint {found[:3]}')
     shape = reader.OneShape()
     judge_shape(tally, shape, wanted)
     judge_measures(tally, shape, wanted)
     skin = compound(parts(shape, TopAbs_SHELL))
     if wanted.points:
         judge_points(tally, skin, read_csv(wanted.points), wanted)
+    if wanted.cuts:
+        judge_cuts(tally, shape, read_csv(wanted.cuts), wanted)
     if wanted.sections:
         judge_sections(tally, skin, read_csv(wanted.sections), wanted)
     tally.finish()
