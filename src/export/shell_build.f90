@@ -8,11 +8,13 @@
 !> poles; so is that of an end, unless it is straight, then it is of degree 1. Where the section is
 !> a point the side has no edge, and all poles of the surface there are that point.
 !>
-!> Skin of two sections is sewn where their ends are in one point all along, skin fore and aft of a
-!> station where both have the same arc there, the halves of a symmetric body along BL 0. What fits
-!> together nowhere is left open. Of a solid flat faces close the ends, also where the skin steps:
-!> there the parts fore and aft are shells of their own. A body of one side that the deck says to
-!> CLOSE gets walls along BL 0.
+!> Skin of two sections is sewn where their ends are in one point all along (within `outline_gap`),
+!> skin fore and aft of a station where both have the same arc there (within a quarter of the
+!> tolerance), the halves of a symmetric body along BL 0. What begins in a point of other skin, as a
+!> fairing does, hangs on its neighbours. An arc that goes on as two arcs is a step, not a seam.
+!> What fits together nowhere is left open. Of a solid flat faces close the ends, also where the
+!> skin steps: there the parts fore and aft are shells of their own. A body of one side that the
+!> deck says to CLOSE gets walls along BL 0.
 module export_shell_build
     use base_error, only: error_type
     use base_kinds, only: dp

@@ -5,6 +5,7 @@ module export_shell_ribs
     use base_error, only: error_type
     use base_exact, only: is_equal
     use base_kinds, only: dp
+    use base_tolerances, only: meeting_tolerance
     use export_shell_limits, only: end_rows
     use export_shell_rows, only: form, rows_type
     use export_shell_stretch, only: slot_type, stretch_type, track_at
@@ -35,6 +36,11 @@ module export_shell_ribs
         type(rib_type), allocatable :: rib(:)   !! each once
         type(ends_type), allocatable :: ends(:) !! of each stretch
     end type ribs_type
+
+    !> Places of an arc at which it is compared with another, and by how much their weights may
+    !> differ.
+    integer, parameter :: compared = 15
+    real(dp), parameter :: weight_gap = 1.0e-2_dp
 
 contains
 
@@ -74,10 +80,10 @@ contains
 
         at(1) = merge(stretch%pace%from, stretch%pace%to, end == 1)
         at(2:) = track_at(stretch, stretch%tracks(track), at(1))
-        if (abs(at(2)) <= stretch%touch) at(2) = 0.0_dp
+        if (abs(at(2)) <= stretch%join) at(2) = 0.0_dp
         do number = 1, size(corners, 2)
             if (.not. is_equal(corners(1, number), at(1))) cycle
-            if (norm2(corners(2:, number) - at(2:)) <= stretch%touch) return
+            if (norm2(corners(2:, number) - at(2:)) <= stretch%join) return
         end do
         corners = reshape([corners, at], [3, number])
     end subroutine find_corner
@@ -103,17 +109,17 @@ contains
         spread_of = norm2(shoulder_offset(new%rows))
         ends%rib(end, slot) = 0
         ends%is_forward(end, slot) = .true.
-        if (new%corner(1) == new%corner(2) .and. spread_of <= stretch%touch) &
+        if (new%corner(1) == new%corner(2) .and. spread_of <= stretch%join) &
             new%rows%middle = new%rows%weight*new%rows%start
         ends%rows(end, slot) = new%rows
-        if (new%corner(1) == new%corner(2) .and. spread_of <= stretch%touch) return
+        if (new%corner(1) == new%corner(2) .and. spread_of <= stretch%join) return
         new%is_straight = new%corner(1) /= new%corner(2) &
-            .and. is_straight(new%rows, stretch%touch)
+            .and. is_straight(new%rows)
         do i = 1, size(ribs%rib)
-            if (.not. are_one(ribs%rib(i), new, stretch%touch)) cycle
+            if (.not. are_one(ribs%rib(i), new, stretch%join)) cycle
             ends%rib(end, slot) = i
             ends%is_forward(end, slot) = ribs%rib(i)%corner(1) == new%corner(1)
-            if (.not. is_near(ribs%rib(i)%rows, new%rows, stretch%touch)) return
+            if (ribs%rib(i)%is_straight) return
             ends%rows(end, slot)%middle = ribs%rib(i)%rows%middle
             ends%rows(end, slot)%weight = ribs%rib(i)%rows%weight
             return
@@ -130,35 +136,59 @@ contains
             (1.0_dp + rows%weight)
     end function shoulder_offset
 
-    !> True where all of an arc is on its chord.
-    pure logical function is_straight(rows, touch)
+    !> True where all of an arc is on its chord, but for rounding of limits.
+    pure logical function is_straight(rows)
         type(rows_type), intent(in) :: rows !! any
-        real(dp), intent(in) :: touch       !! how near, deck units
         real(dp) :: chord(2)
         chord = rows%finish - rows%start
         is_straight = rows%is_line .or. &
-            abs(cross(shoulder_offset(rows), chord)) <= touch*norm2(chord)
+            abs(cross(shoulder_offset(rows), chord)) <= meeting_tolerance*norm2(chord)**2
     end function is_straight
 
     !> True where two ribs are one curve, run through either way.
-    pure logical function are_one(first, second, touch)
+    pure logical function are_one(first, second, join)
         type(rib_type), intent(in) :: first     !! a rib
         type(rib_type), intent(in) :: second    !! another
-        real(dp), intent(in) :: touch           !! how near is one, deck units
+        real(dp), intent(in) :: join            !! how near is one, deck units
         are_one = all(first%corner == second%corner) .or. &
             all(first%corner == second%corner([2, 1]))
         if (are_one) are_one = (first%is_straight .and. second%is_straight) &
-            .or. is_near(first%rows, second%rows, touch)
+            .or. is_near(first%rows, second%rows, join)
     end function are_one
 
-    !> True where two arcs between the same points, either way, have the same rows.
-    pure logical function is_near(first, second, touch)
+    !> True where two arcs between the same points, either way, are one curve.
+    pure logical function is_near(first, second, join)
         type(rows_type), intent(in) :: first    !! an arc
         type(rows_type), intent(in) :: second   !! another
-        real(dp), intent(in) :: touch           !! how near is one, deck units
-        is_near = norm2(shoulder_offset(first) - shoulder_offset(second)) <= touch .and. &
-            abs(first%weight - second%weight)*norm2(first%finish - first%start) <= touch
+        real(dp), intent(in) :: join            !! how near is one, deck units
+        type(rows_type) :: other
+        real(dp) :: t, way(2), along(2)
+        integer :: i
+
+        other = second
+        if (norm2(second%finish - first%start) < norm2(second%start - first%start)) then
+            other%start = second%finish
+            other%finish = second%start
+        end if
+        is_near = abs(second%weight - first%weight) <= weight_gap
+        do i = 1, compared
+            t = real(i, dp)/real(compared + 1, dp)
+            way = point_of(other, t) - point_of(first, t)
+            along = (1.0_dp - t)**2*(first%middle - first%weight*first%start) &
+                + t*(1.0_dp - t)*(first%finish - first%start) &
+                + t**2*(first%weight*first%finish - first%middle)
+            is_near = is_near .and. abs(cross(way, along)) <= join*norm2(along)
+        end do
     end function is_near
+
+    !> The point of an arc at t.
+    pure function point_of(rows, t) result(point)
+        type(rows_type), intent(in) :: rows !! any
+        real(dp), intent(in) :: t           !! 0 to 1
+        real(dp) :: point(2)
+        point = ((1.0_dp - t)**2*rows%start + 2.0_dp*t*(1.0_dp - t)*rows%middle + &
+            t**2*rows%finish)/((1.0_dp - t)**2 + 2.0_dp*t*(1.0_dp - t)*rows%weight + t**2)
+    end function point_of
 
     !> Lets sections whose ribs are one have one form, unless they are straight there.
     pure subroutine settle_forms(stretches, ribs, forms)

@@ -42,13 +42,18 @@ module export_shell_stretch
         type(body_type) :: body                     !! lines of one arc a view; no sections
         type(slot_type), allocatable :: slots(:)    !! in the order of the body, then walls
         type(track_type), allocatable :: tracks(:)  !! each once
-        real(dp) :: touch = 0.0_dp                  !! how near points are one, deck units
+        real(dp) :: touch = 0.0_dp                  !! how near tracks are one, deck units
+        real(dp) :: join = 0.0_dp                   !! how near corners and ribs are
     end type stretch_type
 
     !> Where ends of sections are compared: this many places from end to end of a stretch.
     integer, parameter :: places = 17
-    !> Ends are one point where they miss each other by less than this part of the tolerance.
+    !> Tracks are one where they miss each other by less than `outline_gap`, as in all of LOFT, and
+    !> than this part of the tolerance.
     real(dp), parameter :: touch_part = 0.125_dp
+    !> Corners and ribs are one where they miss each other by less than this part of the tolerance,
+    !> and of the longest chord of the sections.
+    real(dp), parameter :: join_part = 0.25_dp, join_gap = 1.0e-4_dp
 
 contains
 
@@ -115,6 +120,7 @@ contains
             longest = max(longest, norm2(trace%finish%point - trace%start%point))
         end do
         stretch%touch = min(outline_gap*longest, touch_part*tolerance)
+        stretch%join = min(join_gap*longest, join_part*tolerance)
         stretch%pace = power_pace(used_lines(stretch), ends(1), ends(2))
         do i = 1, size(chosen)
             call find_track(i, 1, stretch)

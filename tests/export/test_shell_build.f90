@@ -37,6 +37,7 @@ program test_shell_build
     call judge_fuselage()
     call judge_scale()
     call judge_step()
+    call judge_joins()
     call judge_ends_in_lines()
     call judge_walls()
     call judge_open()
@@ -168,6 +169,29 @@ contains
             'as a skin it hangs together by what does not step')
         call tap%ok(count(sum(uses, dim=1) == 1) == 12, 'and is open where it begins, steps, ends')
     end subroutine judge_step
+
+    !> Sections that follow each other with a shoulder .0001 off.
+    subroutine judge_joins()
+        character(*), parameter :: deck = 'TITLE,JOIN'//nl//'CLOSE'//nl// &
+            'LINE,UCL,SIDE,10.'//nl//'LINE,LCL,SIDE,-10.'//nl//'LINE,MHB,SIDE,0.'//nl// &
+            'LINE,MHB,PLAN,10.'//nl//'LINE,USH,SIDE,8.'//nl//'LINE,US2,SIDE,8.0001'//nl// &
+            'LINE,USH,PLAN,6.'//nl//'LINE,US2,PLAN,6.'//nl//'LINE,LSH,SIDE,-8.'//nl// &
+            'LINE,LSH,PLAN,6.'//nl//'SECTION,FORE,UCL,USH,MHB,0.,999.999,0.,20.'//nl// &
+            'SECTION,AFT,UCL,US2,MHB,0.,999.999,20.,50.'//nl// &
+            'SECTION,LOWER,LCL,LSH,MHB,0.,999.999,0.,50.'//nl
+        type(skin_model_type) :: model
+        type(body_type) :: body
+        body = text_body(deck)
+        model = skin_of(body, 1.0e-3_dp, .true.)
+        call tap%ok(size(model%shells) == 1 .and. all(model%shells%is_closed), &
+            'a miss within a quarter of the tolerance is sewn')
+        call tap%ok(maxval(model%faces%error) > 2.0e-5_dp .and. &
+            maxval(model%faces%error) < 1.0e-3_dp, 'and told in the error')
+        call tap%ok(furthest(body, model, 9) < 1.0e-3_dp, 'which keeps the tolerance')
+        model = skin_of(body, 1.0e-4_dp, .true.)
+        call tap%ok(size(model%shells) == 2 .and. all(model%shells%is_closed), &
+            'a greater one is a step')
+    end subroutine judge_joins
 
     !> A body of elliptic sections whose height runs out: the halves meet in a line.
     subroutine judge_ends_in_lines()
