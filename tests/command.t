@@ -31,26 +31,28 @@ for command in help --help -h; do
     [ "$status" = 0 ] && grep -q 'loft run' "$work/out" && [ ! -s "$work/err" ]
     ok $? "loft $command gives the overview"
 done
-for topic in run check plot; do
+for topic in run check plot export; do
     loft help "$topic"
     [ "$status" = 0 ] && [ -s "$work/out" ] && ! grep -q '.\{81\}' "$work/out"
     ok $? "loft help $topic answers within 80 columns"
 done
-for command in run check plot; do
+for command in run check plot export; do
     "$LOFT" help "$command" > "$work/topic"
     loft "$command" --help
     [ "$status" = 0 ] && cmp -s "$work/out" "$work/topic"
     ok $? "loft $command --help is loft help $command"
     # Every option that the reader of the command line knows for this command is in its help.
-    sed -n "s/^ *option_layout_type('\([^']*\)', '[^']*', '\([^']*\)', '\([^']*\)').*/\1 [\2] \3 /p" \
-        src/app/options.f90 | grep "\] .*$command " > "$work/known"
+    sed -e ':a' -e '/&$/N' -e 's/ &\n *//' -e 'ta' src/app/option_table.f90 | tr '(' '\n' |
+        sed -n "s/^\('[^']*', '[^']*', '[^']*', '[^']*'\), .*/\1/p" | sed "s/', '/|/g; s/'//g" |
+        grep "|\([^|]* \)*$command\( [^|]*\)*$" > "$work/known"
     [ "$command" = check ] || [ "$(wc -l < "$work/known")" -gt 1 ]
     ok $? "the options of loft $command are found in the source" "$(cat "$work/known")"
-    while read -r option rest; do
+    while IFS='|' read -r option kind words commands; do
         [ "$option" = --help ] && continue
         grep -q -- "$option" "$work/topic"
         ok $? "loft help $command tells of $option"
-        for word in $(echo "$rest" | sed 's/\[\(.*\)\].*/\1/'); do
+        [ "$kind" = words ] || [ "$kind" = paper ] || continue
+        for word in $words; do
             grep -qw -- "$word" "$work/topic"
             ok $? "loft help $command tells of $option $word"
         done

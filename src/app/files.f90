@@ -185,13 +185,14 @@ contains
         deallocate (file%unfinished)
     end subroutine abandon
 
-    !> True for a result that is no regular file, nor a link: a device or FIFO, or standard output.
-    !> It has no folder in which anything could stand beside it.
+    !> True for a result that is no regular file, nor a link: a device or FIFO, or standard output,
+    !> also as `/dev/stdout`. It has no folder in which anything could stand beside it.
     logical function is_device(file)
         class(result_file_type), intent(in) :: file !! begun
         is_device = .not. allocated(file%final)
         if (is_device .or. allocated(file%unfinished)) return
-        is_device = .not. can_be_replaced(real_path(file%final))
+        is_device = index(file%final, '/dev/') == 1 .or. &
+            .not. can_be_replaced(real_path(file%final))
     end function is_device
 
     !> True where a name is free or a regular file's, which a rename may replace. Only a regular

@@ -28,14 +28,16 @@ contains
             call print_check(out)
         case ('plot')
             call print_plot(out)
+        case ('export')
+            call print_export(out)
         case ('cards')
             call print_card_reference(out)
         case ('help')
-            call out%lines([character(64) :: 'loft help [TOPIC]', '', &
-                'TOPIC is run, check, plot or cards; none gives the overview.'])
+            call out%lines([character(68) :: 'loft help [TOPIC]', '', &
+                'TOPIC is run, check, plot, export or cards; none is the overview.'])
         case default
             call fail(error, cause%usage, 'no help on '''//topic// &
-                '''; topics: run check plot cards')
+                '''; topics: run check plot export cards')
         end select
     end subroutine print_help
 
@@ -53,7 +55,8 @@ contains
             '  loft run [OPTIONS] [DECK]      tables of ordinates', &
             '  loft check DECK...             only reads, prints every diagnostic', &
             '  loft plot [OPTIONS] DECK       pictures, by gnuplot', &
-            '  loft help [TOPIC]              run, check, plot or cards', &
+            '  loft export [OPTIONS] DECK     patterns, CAD files, meshes, NC programs', &
+            '  loft help [TOPIC]              run, check, plot, export or cards', &
             '  loft --version', '', &
             'A DECK of - is standard input; run reads it too where no deck is named.', '', &
             'Exit status: 0 all done; 1 some card was in error, the others ran; 2 the', &
@@ -110,5 +113,48 @@ contains
             '  --format F      svg (the default), pdf, png, or txt for a terminal', '', &
             'Without gnuplot the data and scripts are written all the same.'])
     end subroutine print_plot
+
+
+    !> Prints the help on `loft export`.
+    subroutine print_export(out)
+        type(output_type), intent(inout) :: out !! where it goes
+        call out%lines([character(80) :: &
+            'loft export DECK -o FILE [OPTIONS]', '', &
+            'Writes the cuts, lines and bodies of a deck as a file, by its ending:', '', &
+            '  .svg .pdf         patterns of the cuts at full size', &
+            '  .dxf              the cuts as polylines or splines', &
+            '  .igs .iges        curves, lines and skin; .step .stp: the same, as a solid', &
+            '                    where the body is closed', &
+            '  .stl .obj         the skin as triangles', &
+            '  .nc .ngc .gcode   the cuts as a program of G-code', &
+            '  .hrm .wgs .csv    sections for OpenVSP, LaWGS (PANAIR) and CPACS', '', &
+            'FILE.receipt says, and standard output shows, what each entity is, exact or', &
+            'not, its largest error and where, the units and the checksum of the deck.', '', &
+            '  -o FILE           the file; - is standard output, --format says what goes', &
+            '                    there: svg pdf dxf iges step stl obj nc hrm wgs csv', &
+            '  --tolerance T     how far a file may be from the exact shape, in deck units;', &
+            '                    .001 in, .025 mm or .00008 ft where it is not said', &
+            '  --units U         of the file: in, mm, ft or m; else those of the deck', &
+            '  --cut LIST        only these cuts, by number or name; may stand several times'])
+        call out%lines([character(80) :: &
+            'Patterns', &
+            '  --sheet each|all  a sheet (pdf: page, svg: file) for each cut, or one for all', &
+            '  --paper P         tiles of a4, letter, a3, tabloid, or roll WIDTH', &
+            '  --overlap W       of tiles, in units of the file; .5 in or 12 mm', &
+            '  --half            symmetric cuts as their half (also dxf, nc)', &
+            '  --bevel STEP      from bevel mark to bevel mark, deck units; 6 in or 150 mm', &
+            'DXF, IGES, STEP', &
+            '  --dxf-splines     R2000 with rational splines, not R12 with polylines', &
+            '  --3d              DXF: cuts and lines where they are in space', &
+            '  --iges-conics     IGES: conics as entity 104 where they are conics', &
+            '  --open            no caps, no solid (also stl, obj)', &
+            'Meshes', &
+            '  --angle DEG       largest turn between triangles; 10', &
+            '  --binary          binary STL', &
+            'NC, in units of the file', &
+            '  --feed F          along the cut, a minute; 20 in or 500 mm', &
+            '  --depth Z         of the cut, below 0; -.125 in or -3 mm', &
+            '  --safe Z          above everything; .25 in or 6 mm'])
+    end subroutine print_export
 
 end module app_help

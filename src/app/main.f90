@@ -2,6 +2,7 @@
 !> went wrong and sets the exit status.
 program loft
     use app_check, only: check_decks
+    use app_export, only: export_deck
     use app_files, only: hold_standard_files
     use app_help, only: print_help, print_version
     use app_options, only: argument_type, options_type, read_options
@@ -31,6 +32,8 @@ program loft
             call check_decks(options%operand, exit_status, messages)
         case ('plot')
             call plot_deck(options, exit_status, messages, error)
+        case ('export')
+            call export_deck(options, exit_status, messages, error)
         case ('help')
             call print_help(topic(options), answer, error)
         case ('version')

@@ -1,51 +1,43 @@
 !> The command line: which command, its options, its decks. Everything that is not understood is an
 !> error that says what would be.
 module app_options
-    use base_decimal, only: decimal_type
+    use app_option_table, only: is_one_of, option_layout_type, option_of
+    use base_decimal, only: decimal_type, to_real
     use base_error, only: cause, error_type, fail
+    use base_kinds, only: dp
     use deck_number, only: number_type, read_number
     implicit none (type, external)
     private
 
-    public :: options_type, argument_type, read_options
+    public :: options_type, argument_type, given_type, read_options
 
     !> One word of the command line.
     type :: argument_type
         character(:), allocatable :: text !! the word as given
     end type argument_type
 
+    !> An option of `loft export` that was given.
+    type :: given_type
+        character(:), allocatable :: name   !! of the option
+        character(:), allocatable :: text   !! its value as typed; nothing: a flag
+        real(dp) :: number = 0.0_dp         !! its value, or the number behind its word
+    end type given_type
+
     !> What the command line asks for.
     type :: options_type
-        character(:), allocatable :: command    !! run, check, plot, help or version
+        character(:), allocatable :: command    !! run, check, plot, export, help or version
         character(:), allocatable :: arithmetic !! ieee or s360
-        character(:), allocatable :: format     !! listing, csv; svg, pdf, png, txt
+        character(:), allocatable :: format     !! of the result; empty: not said
         character(:), allocatable :: output     !! file or folder of `-o`, or nothing
         type(decimal_type) :: shift             !! shift of the 1970 program, deck units
         logical :: asa = .false.                !! the carriage control column is kept
         logical :: wants_help = .false.         !! --help stands behind the command
         type(argument_type), allocatable :: operand(:) !! decks, or the topic of help
+        type(given_type), allocatable :: given(:) !! the options of export alone, as they stand
     end type options_type
 
-    !> One option: its name, the words it takes, the commands that know it.
-    type :: option_layout_type
-        character(12) :: name      !! as typed
-        character(8) :: kind       !! `flag`, `words`, `number`, `path`
-        character(24) :: words     !! what it may be, where its kind is `words`
-        character(20) :: commands  !! the commands that take it
-    end type option_layout_type
-
-    !> Every option of LOFT.
-    type(option_layout_type), parameter :: known(7) = [ &
-        option_layout_type('--arithmetic', 'words', 'ieee s360', 'run'), &
-        option_layout_type('--shift', 'number', '', 'run'), &
-        option_layout_type('--asa', 'flag', '', 'run'), &
-        option_layout_type('--format', 'words', 'listing csv', 'run'), &
-        option_layout_type('--format', 'words', 'svg pdf png txt', 'plot'), &
-        option_layout_type('-o', 'path', '', 'run plot'), &
-        option_layout_type('--help', 'flag', '', 'run check plot help')]
-
     !> The commands.
-    character(*), parameter :: commands = 'run check plot help'
+    character(*), parameter :: commands = 'run check plot export help'
 
 contains
 
@@ -95,7 +87,7 @@ contains
         options%format = ''
         options%output = ''
         options%shift = decimal_type(100, 0)
-        allocate (options%operand(0))
+        allocate (options%operand(0), options%given(0))
     end subroutine set_defaults
 
     !> Reads the first word.
@@ -123,60 +115,124 @@ contains
         integer, intent(inout) :: i                         !! the option; moved to its last word
         type(options_type), intent(inout) :: options        !! gets what it says
         type(error_type), allocatable, intent(out) :: error !! `cause%usage`
-        character(:), allocatable :: name, value
-        integer :: equals, k
+        type(option_layout_type) :: layout
+        type(given_type) :: given
+        character(:), allocatable :: name
+        integer :: equals
 
         name = argument(i)%text
-        equals = index(name, '=')
-        if (equals > 0 .and. index(name, '--') == 1) name = name(:equals - 1)
+        equals = 0
+        if (index(name, '--') == 1) equals = index(name, '=')
+        if (equals > 0) name = name(:equals - 1)
         if (name == '-h') name = '--help'
-        k = which(name, options%command)
-        if (k == 0) then
-            call fail(error, cause%usage, 'loft '//options%command//' has no option '//name// &
-                ' (try loft help '//options%command//')')
-        else if (known(k)%kind == 'flag') then
+        given%name = name
+        given%text = ''
+        layout = option_of(name, options%command)
+        if (layout%name == '') then
+            call fail(error, cause%usage, 'loft '//options%command//' has no option '// &
+                name//' (try loft help '//options%command//')')
+        else if (layout%kind == 'flag') then
             if (equals > 0) call fail(error, cause%usage, name//' takes no value')
-            if (name == '--asa') options%asa = .true.
-            if (name == '--help') options%wants_help = .true.
-        else if (equals > 0 .and. index(name, '--') == 1) then
-            value = argument(i)%text(equals + 1:)
-            call set_value(known(k), value, options, error)
+        else if (equals > 0) then
+            given%text = argument(i)%text(equals + 1:)
         else if (i < size(argument)) then
             i = i + 1
-            call set_value(known(k), argument(i)%text, options, error)
+            given%text = argument(i)%text
         else
             call fail(error, cause%usage, name//' needs a value')
         end if
+        if (.not. allocated(error)) call check_value(layout, given, error)
+        if (allocated(error)) return
+        if (layout%kind == 'paper' .and. given%text == 'roll') then
+            call read_width(argument, i, given, error)
+        end if
+        if (.not. allocated(error)) call keep(given, options)
     end subroutine read_option
 
-    !> Stores the value of an option after a look at it.
-    pure subroutine set_value(layout, value, options, error)
+    !> Looks whether the value of an option is one it takes; reads it where it is a number.
+    pure subroutine check_value(layout, given, error)
         type(option_layout_type), intent(in) :: layout      !! the option
-        character(*), intent(in) :: value                   !! its value
-        type(options_type), intent(inout) :: options        !! gets it
+        type(given_type), intent(inout) :: given            !! its value; gets the number
         type(error_type), allocatable, intent(out) :: error !! `cause%usage`
+        character(:), allocatable :: said
+        logical :: is_number
+
+        said = given%name//' '''//given%text//''': it is '
+        select case (layout%kind)
+        case ('words', 'paper')
+            if (.not. is_one_of(given%text, layout%words)) &
+                call fail(error, cause%usage, said//'one of: '//trim(layout%words))
+        case ('number', 'positive')
+            said = said//'a number '//trim(layout%words)
+            call read_value(given%text, given%number, is_number)
+            if (layout%kind == 'positive') then
+                is_number = is_number .and. given%number > 0.0_dp
+                said = said//' above 0'
+            end if
+            if (.not. is_number) call fail(error, cause%usage, said)
+        case ('path')
+            if (given%text == '') &
+                call fail(error, cause%usage, given%name//' needs the name of a file')
+        case ('text')
+            if (given%text == '') call fail(error, cause%usage, given%name//' needs a value')
+        end select
+    end subroutine check_value
+
+    !> The number that a text is.
+    pure subroutine read_value(text, value, is_number)
+        character(*), intent(in) :: text    !! any
+        real(dp), intent(out) :: value      !! 0 where it is none
+        logical, intent(out) :: is_number   !! it is one
+        type(number_type) :: number
+        number = read_number(text, 0)
+        value = to_real(number%value)
+        is_number = number%first == 0 .and. .not. number%is_blank
+    end subroutine read_value
+
+    !> Reads the width of a roll of paper: `--paper roll 36`.
+    pure subroutine read_width(argument, i, given, error)
+        type(argument_type), intent(in) :: argument(:)      !! the command line
+        integer, intent(inout) :: i                         !! the word roll; moved to the width
+        type(given_type), intent(inout) :: given            !! gets the number
+        type(error_type), allocatable, intent(out) :: error !! `cause%usage`
+        character(:), allocatable :: width
+        logical :: is_number
+
+        width = ''
+        if (i < size(argument)) width = argument(i + 1)%text
+        call read_value(width, given%number, is_number)
+        if (is_number .and. given%number > 0.0_dp) then
+            i = i + 1
+        else
+            call fail(error, cause%usage, given%name//' roll '''//width// &
+                ''': behind roll stands its width, a number in units of the file above 0')
+        end if
+    end subroutine read_width
+
+    !> Keeps what an option says.
+    pure subroutine keep(given, options)
+        type(given_type), intent(in) :: given           !! the option
+        type(options_type), intent(inout) :: options    !! gets it
         type(number_type) :: number
 
-        if (layout%kind == 'words' .and. .not. is_one_of(value, layout%words)) then
-            call fail(error, cause%usage, trim(layout%name)//' '''//value//''': it is one of: '// &
-                trim(layout%words))
-            return
-        end if
-        select case (layout%name)
+        select case (given%name)
         case ('--arithmetic')
-            options%arithmetic = value
+            options%arithmetic = given%text
         case ('--format')
-            options%format = value
+            options%format = given%text
         case ('-o')
-            options%output = value
-            if (value == '') call fail(error, cause%usage, '-o needs the name of a file')
+            options%output = given%text
+        case ('--asa')
+            options%asa = .true.
+        case ('--help')
+            options%wants_help = .true.
         case ('--shift')
-            number = read_number(value, 0)
+            number = read_number(given%text, 0)
             options%shift = number%value
-            if (number%first > 0 .or. number%is_blank) call fail(error, cause%usage, &
-                '--shift '''//value//''': it is a number in deck units')
+        case default
+            options%given = [options%given, given]
         end select
-    end subroutine set_value
+    end subroutine keep
 
     !> What can't stand together.
     pure subroutine check_options(options, error)
@@ -184,7 +240,7 @@ contains
         type(error_type), allocatable, intent(out) :: error !! `cause%usage`
 
         select case (options%command)
-        case ('run', 'plot')
+        case ('run', 'plot', 'export')
             if (size(options%operand) > 1) call fail(error, cause%usage, &
                 'loft '//options%command//' takes one deck; '''// &
                 options%operand(2)%text//''' is too much')
@@ -194,10 +250,13 @@ contains
         case ('version')
             if (size(options%operand) > 0) call fail(error, cause%usage, '--version stands alone')
         end select
-        if (size(options%operand) == 0 .and. is_one_of(options%command, 'check plot')) then
+        if (size(options%operand) == 0 .and. is_one_of(options%command, 'check plot export')) then
             call fail(error, cause%usage, &
                 'loft '//options%command//' needs a deck (- is standard input)')
         end if
+        if (options%command == 'export' .and. options%output == '' .and. .not. allocated(error)) &
+            call fail(error, cause%usage, 'loft export needs -o FILE; its ending says which '// &
+            'format (try loft help export)')
         if (allocated(error) .or. options%command /= 'run') return
         if (options%arithmetic == 's360' .and. options%format == 'csv') then
             call fail(error, cause%usage, '--format csv goes with --arithmetic ieee; the 1970 '// &
@@ -206,21 +265,5 @@ contains
             call fail(error, cause%usage, '--asa goes with --arithmetic s360')
         end if
     end subroutine check_options
-
-    !> Where in the table an option of a command stands; 0 where it has none of that name.
-    pure integer function which(name, command)
-        character(*), intent(in) :: name    !! the option
-        character(*), intent(in) :: command !! the command
-        do which = size(known), 1, -1
-            if (known(which)%name == name .and. is_one_of(command, known(which)%commands)) return
-        end do
-    end function which
-
-    !> True where a word stands in a list of words with blanks between them.
-    pure logical function is_one_of(word, list)
-        character(*), intent(in) :: word !! the word
-        character(*), intent(in) :: list !! the words
-        is_one_of = index(' '//trim(list)//' ', ' '//word//' ') > 0 .and. index(word, ' ') == 0
-    end function is_one_of
 
 end module app_options

@@ -9,8 +9,8 @@
 !>     UNITS      INCHES
 !>     TOLERANCE  0.001
 !>
-!>     ENTITY               KIND                        POINTS SPANS    ERROR       STA ...
-!>     STA20                126 B-SPLINE CURVE    EXACT      9     4       0.
+!>     ENTITY          KIND                             POINTS SPANS    ERROR       STA ...
+!>     STA_20          126 B-SPLINE CURVE         EXACT      9     4       0.
 module export_receipt_text
     use base_constants, only: version
     use base_digits, only: fixed, scientific, shortest
@@ -25,7 +25,7 @@ module export_receipt_text
     public :: heading_type, print_receipt
 
     !> Columns of a receipt, and of its parts.
-    integer, parameter :: page = 100, name_columns = 21, kind_columns = 22, grade_columns = 6, &
+    integer, parameter :: page = 100, name_columns = 16, kind_columns = 27, grade_columns = 6, &
         points_columns = 6, spans_columns = 6, error_columns = 9, place_columns = 10
 
     !> What a receipt says before its entities.
@@ -34,7 +34,7 @@ module export_receipt_text
         character(:), allocatable :: deck       !! its name, without folders
         character(:), allocatable :: checksum   !! SHA-256 of its bytes
         character(:), allocatable :: units      !! of the file: INCHES, MM, FEET or M
-        real(dp) :: tolerance = 0.0_dp          !! asked for, in units of the file
+        real(dp) :: tolerance = 0.0_dp          !! asked for, in units of the file; 0: none
     end type heading_type
 
 contains
@@ -51,7 +51,11 @@ contains
         call print_lines('DECK', heading%deck//new_line('a'), out)
         call out%line('SHA-256    '//heading%checksum)
         call out%line('UNITS      '//heading%units)
-        call out%line('TOLERANCE  '//shortest(heading%tolerance))
+        if (heading%tolerance > 0.0_dp) then
+            call out%line('TOLERANCE  '//shortest(heading%tolerance))
+        else
+            call out%line('TOLERANCE  NONE')
+        end if
         call out%line('')
         call out%line(left('ENTITY', name_columns)//left('KIND', kind_columns)// &
             left('', grade_columns)//right('POINTS', points_columns)// &

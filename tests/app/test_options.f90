@@ -1,9 +1,10 @@
 !> The command line: every option in both forms, and every way to get one wrong.
 program test_options
-    use app_options, only: argument_type, options_type, read_options
+    use app_options, only: options_type, read_options
     use base_decimal, only: to_real
     use base_error, only: cause, error_type
     use base_kinds, only: dp
+    use support_command_line, only: decks, options_of, words_of
     use support_tap, only: tap_type
     implicit none (type, external)
 
@@ -24,25 +25,29 @@ contains
 
     !> The commands.
     subroutine check_commands()
-        call tap%same(command('run')//command('check|a')//command('plot|a')//command('help'), &
-            'runcheckplothelp', 'the commands are known by name')
+        call tap%same(command('run')//command('check|a')//command('plot|a')//command('help') &
+            //command('export|a|-o|b.svg'), 'runcheckplothelpexport', &
+            'the commands are known by name')
         call tap%same(command('--help')//command('-h')//command('--version'), 'helphelpversion', &
             'help and version are options too')
-        call refused('', 'no command; one of: run check plot help (try loft help)', 'no command')
-        call refused('fly', '''fly'' is no command; one of: run check plot help', 'another command')
-        call refused('RUN', '''RUN'' is no command; one of: run check plot help', &
+        call refused('', 'no command; one of: run check plot export help (try loft help)', &
+            'no command')
+        call refused('fly', '''fly'' is no command; one of: run check plot export help', &
+            'another command')
+        call refused('RUN', '''RUN'' is no command; one of: run check plot export help', &
             'a command in capitals')
-        call refused('run check', '''run check'' is no command; one of: run check plot help', &
-            'two commands in one word')
-        call refused('ru', '''ru'' is no command; one of: run check plot help', 'part of a command')
-        call refused('-o', '''-o'' is no command; one of: run check plot help', &
+        call refused('run check', '''run check'' is no command; one of: '// &
+            'run check plot export help', 'two commands in one word')
+        call refused('ru', '''ru'' is no command; one of: run check plot export help', &
+            'part of a command')
+        call refused('-o', '''-o'' is no command; one of: run check plot export help', &
             'an option before the command')
     end subroutine check_commands
 
     !> What is not said.
     subroutine check_defaults()
         type(options_type) :: options
-        options = options_of('run')
+        options = options_of('run', tap)
         call tap%same(options%arithmetic//'/'//options%format//'/'//options%output, 'ieee//', &
             'IEEE arithmetic, no format, no file')
         call tap%near(to_real(options%shift), 100.0_dp, 0.0_dp, 'a shift of 100')
@@ -58,17 +63,18 @@ contains
         character(1), parameter :: link(2) = ['|', '=']
 
         do i = 1, 2
-            options = options_of('run|--arithmetic'//link(i)//'s360|--format'//link(i)//'listing|a')
+            options = options_of('run|--arithmetic'//link(i)//'s360|--format'//link(i)// &
+                'listing|a', tap)
             call tap%same(options%arithmetic//' '//options%format//' '//decks(options), &
                 's360 listing a|', &
                 'arithmetic and format, linked by '//link(i))
-            options = options_of('run|--arithmetic'//link(i)//'ieee|--format'//link(i)//'csv')
+            options = options_of('run|--arithmetic'//link(i)//'ieee|--format'//link(i)//'csv', tap)
             call tap%same(options%arithmetic//' '//options%format, 'ieee csv', &
                 'the other ones, by '//link(i))
-            options = options_of('run|--shift'//link(i)//'-250.5|a')
+            options = options_of('run|--shift'//link(i)//'-250.5|a', tap)
             call tap%near(to_real(options%shift), -250.5_dp, 0.0_dp, &
                 'a negative shift, by '//link(i))
-            options = options_of('plot|--format'//link(i)//'txt|a|-o|pictures')
+            options = options_of('plot|--format'//link(i)//'txt|a|-o|pictures', tap)
             call tap%same(options%format//' '//options%output, 'txt pictures', &
                 'a picture''s format, by '//link(i))
         end do
@@ -76,24 +82,24 @@ contains
             call tap%same(command('plot|--format='//trim(word(i, 'svg pdf png'))//'|a'), 'plot', &
                 'pictures as '//word(i, 'svg pdf png'))
         end do
-        options = options_of('run|-o|out.lst|a')
+        options = options_of('run|-o|out.lst|a', tap)
         call tap%same(options%output, 'out.lst', 'a file for the result')
-        options = options_of('run|-o|-|-')
+        options = options_of('run|-o|-|-', tap)
         call tap%same(options%output//decks(options), '--|', 'standard output and input')
-        options = options_of('run|-o|a=b|a')
+        options = options_of('run|-o|a=b|a', tap)
         call tap%same(options%output, 'a=b', 'a file with an equals sign')
-        options = options_of('run|--asa|--arithmetic|s360')
+        options = options_of('run|--asa|--arithmetic|s360', tap)
         call tap%ok(options%asa, 'a flag')
-        options = options_of('run|--shift|1|--shift|2')
+        options = options_of('run|--shift|1|--shift|2', tap)
         call tap%near(to_real(options%shift), 2.0_dp, 0.0_dp, 'of two the last counts')
     end subroutine check_values
 
     !> Numbers.
     subroutine check_shift()
         type(options_type) :: options
-        options = options_of('run|--shift=1.5e3')
+        options = options_of('run|--shift=1.5e3', tap)
         call tap%near(to_real(options%shift), 1500.0_dp, 0.0_dp, 'a shift with an exponent')
-        options = options_of('run|--shift|0')
+        options = options_of('run|--shift|0', tap)
         call tap%near(to_real(options%shift), 0.0_dp, 0.0_dp, 'no shift')
         call refused('run|--shift|lots', '--shift ''lots'': it is a number in deck units', &
             'a shift in words')
@@ -106,10 +112,13 @@ contains
 
     !> Decks.
     subroutine check_operands()
-        call tap%same(decks(options_of('check|a|b|-|c')), 'a|b|-|c|', 'decks stay in their order')
-        call tap%same(decks(options_of('run|--|-o')), '-o|', 'after -- a name may begin with -')
-        call tap%same(decks(options_of('run|a|-o|b')), 'a|', 'options may stand behind the deck')
-        call tap%same(decks(options_of('check|--|--|a')), '--|a|', 'a second -- is a name')
+        call tap%same(decks(options_of('check|a|b|-|c', tap)), 'a|b|-|c|', &
+            'decks stay in their order')
+        call tap%same(decks(options_of('run|--|-o', tap)), '-o|', &
+            'after -- a name may begin with -')
+        call tap%same(decks(options_of('run|a|-o|b', tap)), 'a|', &
+            'options may stand behind the deck')
+        call tap%same(decks(options_of('check|--|--|a', tap)), '--|a|', 'a second -- is a name')
         call refused('run|a|b', 'loft run takes one deck; ''b'' is too much', 'run with two decks')
         call refused('plot|a|b|c', 'loft plot takes one deck; ''b'' is too much', 'plot with three')
         call refused('check', 'loft check needs a deck (- is standard input)', 'check without one')
@@ -119,13 +128,14 @@ contains
 
     !> Help.
     subroutine check_help()
-        call tap%same(command('run|--help')//decks(options_of('run|--help')), 'helprun|', &
+        call tap%same(command('run|--help')//decks(options_of('run|--help', tap)), 'helprun|', &
             'a command''s --help is the help on it')
-        call tap%same(command('check|-h')//decks(options_of('check|-h')), 'helpcheck|', '-h too')
-        call tap%same(decks(options_of('plot|--help|--wrong|a|b')), 'plot|', &
+        call tap%same(command('check|-h')//decks(options_of('check|-h', tap)), 'helpcheck|', &
+            '-h too')
+        call tap%same(decks(options_of('plot|--help|--wrong|a|b', tap)), 'plot|', &
             'nothing behind it is looked at')
-        call tap%same(decks(options_of('help|cards')), 'cards|', 'a topic of help')
-        call tap%same(decks(options_of('--help|run')), 'run|', 'also behind the option')
+        call tap%same(decks(options_of('help|cards', tap)), 'cards|', 'a topic of help')
+        call tap%same(decks(options_of('--help|run', tap)), 'run|', 'also behind the option')
         call tap%same(command('help|--help'), 'help', 'help on help')
         call refused('help|run|cards', 'loft help takes one topic; ''cards'' is too much', &
             'two topics')
@@ -181,49 +191,14 @@ contains
         call tap%same(command('run|-|-o|-'), 'run', 'standard input and output are two')
     end subroutine check_combinations
 
-    !> Words of a command line written with bars between them.
-    function words_of(line) result(argument)
-        character(*), intent(in) :: line !! `run|--asa|deck`
-        type(argument_type), allocatable :: argument(:)
-        integer :: i, first, last
-
-        allocate (argument(count([(line(i:i) == '|', i = 1, len(line))]) + merge(1, 0, line /= '')))
-        first = 1
-        do i = 1, size(argument)
-            last = first + index(line(first:)//'|', '|') - 2
-            argument(i)%text = line(first:last)
-            first = last + 2
-        end do
-    end function words_of
-
-    !> The options of a command line that is in order.
-    function options_of(line) result(options)
-        character(*), intent(in) :: line !! see `words_of`
-        type(options_type) :: options
-        type(error_type), allocatable :: error
-        call read_options(words_of(line), options, error)
-        if (allocated(error)) call tap%ok(.false., line//': '//error%message)
-    end function options_of
-
     !> The command of a command line that is in order.
     function command(line)
         character(*), intent(in) :: line !! see `words_of`
         character(:), allocatable :: command
         type(options_type) :: options
-        options = options_of(line)
+        options = options_of(line, tap)
         command = options%command
     end function command
-
-    !> The decks, a bar behind each.
-    function decks(options) result(text)
-        type(options_type), intent(in) :: options !! what was read
-        character(:), allocatable :: text
-        integer :: i
-        text = ''
-        do i = 1, size(options%operand)
-            text = text//options%operand(i)%text//'|'
-        end do
-    end function decks
 
     !> A command line that is refused, and what is said.
     subroutine refused(line, expected, name)

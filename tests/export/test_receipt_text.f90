@@ -36,10 +36,10 @@ contains
             'SHA-256    '//sum//feed// &
             'UNITS      INCHES'//feed// &
             'TOLERANCE  0.001'//feed//feed// &
-            'ENTITY               KIND                        POINTS SPANS    ERROR       STA'// &
+            'ENTITY          KIND                             POINTS SPANS    ERROR       STA'// &
             '        BL        WL'//feed// &
-            'LCL                  126 B-SPLINE CURVE    EXACT      9             0.'//feed// &
-            'UPPER                128 SURFACE           APPROX     9     7 2.35E-04     12.35'// &
+            'LCL             126 B-SPLINE CURVE         EXACT      9             0.'//feed// &
+            'UPPER           128 SURFACE                APPROX     9     7 2.35E-04     12.35'// &
             '     -0.50   1000.00'//feed//feed// &
             '2 ENTITIES: 1 EXACT, 1 APPROXIMATE'//feed// &
             'LARGEST ERROR 2.35E-04 IN UPPER AT STA 12.35 BL -0.50 WL 1000.00'//feed//feed// &
@@ -49,15 +49,15 @@ contains
     !> Names and kinds that need more than their columns.
     subroutine check_long_names()
         character(*), parameter :: numbers = 'EXACT      9             0.'
-        call tap%has(line_of(entity('A2345678901234567890', '12345678901234567890+', .true., &
-            0.0_dp, 0)), feed//'A2345678901234567890 12345678901234567890+ '//numbers//feed, &
-            'a name of 20 characters and a kind of 21 just fit')
-        call tap%has(line_of(entity('A23456789012345678901', 'KIND', .true., 0.0_dp, 0)), &
-            feed//'A23456789012345678901'//feed//row_of(' ', 21)//'KIND'//row_of(' ', 18)// &
+        call tap%has(line_of(entity('A23456789012345', '1234567890123456789012345+', .true., &
+            0.0_dp, 0)), feed//'A23456789012345 1234567890123456789012345+ '//numbers//feed, &
+            'a name of 15 characters and a kind of 26 just fit')
+        call tap%has(line_of(entity('A234567890123456', 'KIND', .true., 0.0_dp, 0)), &
+            feed//'A234567890123456'//feed//row_of(' ', 16)//'KIND'//row_of(' ', 23)// &
             numbers//feed, 'a longer name has a line of its own')
-        call tap%has(line_of(entity('A', '1234567890123456789012', .true., 0.0_dp, 0)), &
-            feed//'A'//feed//row_of(' ', 21)//'1234567890123456789012'//feed//row_of(' ', 43)// &
-            numbers//feed, 'so has a longer kind')
+        call tap%has(line_of(entity('A', '123456789012345678901234567', .true., 0.0_dp, 0)), &
+            feed//'A'//feed//row_of(' ', 16)//'123456789012345678901234567'//feed// &
+            row_of(' ', 43)//numbers//feed, 'so has a longer kind')
         call tap%has(line_of(entity('A'//achar(10)//'B', 'K', .true., 0.0_dp, 0)), 'A?B  ', &
             'control bytes of names are not printed')
     end subroutine check_long_names
@@ -113,11 +113,12 @@ contains
             call receipt%add(entity(row_of('N', i), row_of('K', 31 - i), mod(i, 2) == 0, &
                 10.0_dp**(i - 25), 10**mod(i, 5)))
         end do
-        heading = heading_type('a-1.svg'//feed//'a-2.svg'//feed, 'd', sum, 'MM', 0.025_dp)
+        heading = heading_type('a-1.svg'//feed//'a-2.svg'//feed, 'd', sum, 'MM', 0.0_dp)
         call print_receipt(heading, receipt, out)
         text = out%text()
         call tap%has(text, feed//'FILE       a-1.svg'//feed//'           a-2.svg'//feed//'DECK', &
             'several files stand below each other')
+        call tap%has(text, feed//'TOLERANCE  NONE'//feed, 'where no tolerance was asked it is said')
         widest = 0
         first = 1
         do while (first <= len(text))

@@ -12,6 +12,7 @@ BEGIN {
     untested["app_signals"]; untested["app_status"]; untested["app_input"]
     untested["app_run_conics"]; untested["app_run_body"]; untested["app_computed_body"]
     untested["app_export"]; untested["app_export_body"]; untested["app_export_conics"]; untested["app_export_parts"]
+    untested["app_export_write"]
     untested["app_progress"]
     untested["app_plot_conics"]; untested["app_plot_body"]; untested["app_picture_folder"]
     # Modules that may have variables: a signal handler takes no arguments of ours.

@@ -1,0 +1,175 @@
+!> A body deck made ready for export: its bodies built, the cuts that are wanted made and drawn as
+!> curves.
+module app_export_body
+    use app_computed_body, only: computed_body_type, cut_body
+    use app_export_choice, only: choose_cuts
+    use app_export_parts, only: begin_parts, parts_type, station_type
+    use app_export_request, only: curve_tolerance, request_type
+    use app_input, only: deck_input_type
+    use app_progress, only: tell_progress
+    use base_error, only: error_type
+    use base_fault, only: fault_list_type
+    use base_text, only: to_text
+    use body_body, only: body_type
+    use cut_outline, only: cut_type
+    use cut_plane, only: cut_kind
+    use deck_job, only: job_type
+    use deck_job_reader, only: read_job
+    use export_drawing, only: drawing_type, shape_type
+    use export_drawing_cut, only: draw_cut
+    use export_drawing_line, only: draw_line
+    use export_drawing_name, only: cut_name, make_unique
+    implicit none (type, external)
+    private
+
+    public :: read_bodies, draw_curves
+
+contains
+
+    !> Reads a body deck and builds its bodies. `computed` has a place for each body of the deck.
+    !>
+    !> Fails with `cause%file_trouble` where the deck can't be read.
+    subroutine read_bodies(input, deck_name, computed, parts, faults, error)
+        type(deck_input_type), intent(inout) :: input                       !! at its first card
+        character(*), intent(in) :: deck_name                               !! without folders
+        type(computed_body_type), allocatable, intent(out) :: computed(:)   !! bodies and cuts
+        type(parts_type), intent(out) :: parts                              !! gets the bodies
+        type(fault_list_type), intent(inout) :: faults                      !! what is wrong
+        type(error_type), allocatable, intent(out) :: error                 !! see above
+        type(job_type) :: job
+        type(body_type) :: body
+        character(:), allocatable :: title
+        integer :: i
+
+        call read_job(input%source, input%opening%heading, job, faults, error)
+        if (allocated(error)) then
+            error%message = input%name//': '//error%message
+            return
+        end if
+        title = ''
+        if (allocated(job%title)) title = job%title
+        call begin_parts(deck_name, title, trim(job%units), parts)
+        parts%is_body_deck = .true.
+        allocate (computed(size(job%body)))
+        do i = 1, size(computed)
+            call tell_progress('building body '//to_text(i)//' of '//to_text(size(computed)))
+            call cut_body(job, i, computed(i), faults)
+            if (size(computed(i)%body%sections) == 0) cycle
+            body = computed(i)%body
+            parts%bodies = [parts%bodies, body]
+            call add_stations(computed(i)%cuts, parts)
+        end do
+        parts%is_faulty = faults%has_errors(0)
+    end subroutine read_bodies
+
+    !> Notes the stations that the last body is cut at.
+    pure subroutine add_stations(cuts, parts)
+        type(cut_type), intent(in) :: cuts(:)       !! of the body
+        type(parts_type), intent(inout) :: parts    !! gets them
+        type(station_type) :: station
+        integer :: k
+
+        do k = 1, size(cuts)
+            if (cuts(k)%plane%kind /= cut_kind%station) cycle
+            station = station_type(size(parts%bodies), cuts(k)%plane%through(1))
+            parts%stations = [parts%stations, station]
+        end do
+    end subroutine add_stations
+
+    !> Draws the cuts that are wanted and, for files that have them, the control lines.
+    !>
+    !> Fails with `cause%usage` where a cut is asked that the deck has not, and where a curve can't
+    !> be drawn.
+    subroutine draw_curves(computed, request, has_lines, parts, error)
+        type(computed_body_type), intent(in) :: computed(:) !! the bodies of a deck
+        type(request_type), intent(in) :: request           !! tolerance; which cuts
+        logical, intent(in) :: has_lines                    !! control lines too
+        type(parts_type), intent(inout) :: parts            !! gets the curves
+        type(error_type), allocatable, intent(out) :: error !! see above
+        type(cut_type), allocatable :: cuts(:)
+        type(drawing_type) :: named
+        logical, allocatable :: is_chosen(:)
+        integer :: i, k, number
+
+        allocate (cuts(0))
+        do i = 1, size(computed)
+            cuts = [cuts, computed(i)%cuts]
+        end do
+        call name_cuts(cuts, named)
+        call choose_cuts(request%cuts, cuts, named%cuts, is_chosen, error)
+        number = 0
+        parts%drawing%tolerance = request%tolerance
+        do i = 1, size(computed)
+            do k = 1, size(computed(i)%cuts)
+                number = number + 1
+                if (allocated(error)) return
+                if (.not. is_chosen(number)) cycle
+                call tell_progress('drawing cut '//to_text(number)//' of '//to_text(size(cuts)))
+                call add_cut(computed(i)%body, cuts(number), named%cuts(number), request, parts, &
+                    error)
+            end do
+            if (has_lines .and. .not. allocated(error)) &
+                call add_lines(computed(i)%body, request, parts, error)
+        end do
+        if (.not. allocated(error)) call make_unique(parts%drawing)
+    end subroutine draw_curves
+
+    !> Gives the cuts of a deck their names and numbers; both stay where only some are exported.
+    pure subroutine name_cuts(cuts, named)
+        type(cut_type), intent(in) :: cuts(:)       !! in the order of the deck
+        type(drawing_type), intent(out) :: named    !! a shape for each cut, with nothing else
+        integer :: k
+
+        allocate (named%cuts(size(cuts)), named%lines(0))
+        do k = 1, size(cuts)
+            named%cuts(k)%name = cut_name(cuts(k))
+            named%cuts(k)%number = k
+        end do
+        call make_unique(named)
+    end subroutine name_cuts
+
+    !> Draws a cut.
+    !>
+    !> Fails where a curve of it can't be drawn.
+    subroutine add_cut(body, cut, named, request, parts, error)
+        type(body_type), intent(in) :: body                 !! finished
+        type(cut_type), intent(in) :: cut                   !! of it
+        type(shape_type), intent(in) :: named               !! its name and number
+        type(request_type), intent(in) :: request           !! tolerance, way between bevel marks
+        type(parts_type), intent(inout) :: parts            !! gets the shape
+        type(error_type), allocatable, intent(out) :: error !! see above
+        type(shape_type) :: shape
+
+        call draw_cut(body, cut, curve_tolerance(request), request%bevel_step, shape, error)
+        if (allocated(error)) then
+            error%message = named%name//': '//error%message
+            return
+        end if
+        shape%name = named%name
+        shape%number = named%number
+        parts%drawing%cuts = [parts%drawing%cuts, shape]
+    end subroutine add_cut
+
+    !> Draws the control lines of a body.
+    !>
+    !> Fails where one can't be drawn.
+    subroutine add_lines(body, request, parts, error)
+        type(body_type), intent(in) :: body                 !! finished
+        type(request_type), intent(in) :: request           !! tolerance
+        type(parts_type), intent(inout) :: parts            !! gets the shapes
+        type(error_type), allocatable, intent(out) :: error !! see above
+        type(shape_type) :: shape
+        integer :: i
+
+        do i = 1, size(body%lines)
+            call draw_line(body%lines(i), i, curve_tolerance(request), shape, error)
+            if (allocated(error)) then
+                error%message = trim(body%lines(i)%name)//': '//error%message
+                return
+            end if
+            if (.not. allocated(shape%contours)) cycle
+            parts%drawing%lines = [parts%drawing%lines, shape]
+        end do
+    end subroutine add_lines
+
+end module app_export_body

@@ -1,0 +1,87 @@
+!> A 1970 deck made ready for export: the arc of each card as a curve.
+module app_export_conics
+    use app_export_parts, only: begin_parts, parts_type
+    use app_input, only: deck_input_type
+    use base_error, only: error_type
+    use base_fault, only: fault_list_type
+    use base_output, only: output_type
+    use base_text, only: to_text
+    use body_card_arc, only: arc_of_card
+    use deck_conic_card, only: conic_card_type
+    use deck_conic_deck, only: conic_deck_type, found
+    use export_drawing, only: shape_type
+    use export_drawing_card, only: draw_card
+    use export_drawing_name, only: make_unique, safe_name
+    use geom_arc, only: arc_type
+    use report_fault, only: print_faults
+    implicit none (type, external)
+    private
+
+    public :: read_conics
+
+contains
+
+    !> Reads a 1970 deck. A card without an arc is reported and left out.
+    !>
+    !> Fails with `cause%file_trouble` where the deck can't be read.
+    subroutine read_conics(input, deck_name, parts, messages, error)
+        type(deck_input_type), intent(inout) :: input       !! the deck, at its first card
+        character(*), intent(in) :: deck_name               !! without folders
+        type(parts_type), intent(out) :: parts              !! gets the curves as cuts
+        type(output_type), intent(inout) :: messages        !! diagnostics
+        type(error_type), allocatable, intent(out) :: error !! see above
+        type(conic_deck_type) :: deck
+        type(conic_card_type) :: card
+        type(fault_list_type) :: faults
+        character(:), allocatable :: title, units
+        integer :: outcome
+        logical :: is_faulty
+
+        deck%heading = input%opening%heading
+        call begin_parts(deck_name, '', 'INCHES', parts)
+        is_faulty = .false.
+        do
+            call deck%next(input%source, card, outcome, faults, error)
+            if (allocated(error)) then
+                error%message = input%name//': '//error%message
+                return
+            end if
+            if (outcome == found%conic) call take_card(card, parts, faults)
+            call print_faults(faults, input%name, .false., messages)
+            is_faulty = is_faulty .or. faults%has_errors(0)
+            call faults%clear()
+            if (outcome == found%finished) exit
+        end do
+        title = ''
+        units = 'INCHES'
+        if (allocated(deck%heading%title)) title = deck%heading%title
+        if (allocated(deck%heading%units)) units = deck%heading%units
+        parts%drawing%title = title
+        parts%drawing%units = units
+        parts%is_faulty = is_faulty
+        call make_unique(parts%drawing)
+    end subroutine read_conics
+
+    !> Adds the arc of a card.
+    subroutine take_card(card, parts, faults)
+        type(conic_card_type), intent(in) :: card           !! the card, sound or not
+        type(parts_type), intent(inout) :: parts            !! gets the curve
+        type(fault_list_type), intent(inout) :: faults      !! what is wrong is added
+        type(arc_type) :: arc
+        type(shape_type) :: shape
+        character(:), allocatable :: title
+        integer :: number
+        logical :: has_arc
+
+        if (.not. card%is_readable .or. card%has_coinciding_points()) return
+        call arc_of_card(card, arc, has_arc, faults)
+        if (.not. has_arc) return
+        number = int(card%count)
+        title = card%label
+        if (title == '') title = 'CARD '//to_text(number)
+        call draw_card(arc, number, safe_name(title), shape)
+        shape%title = title
+        parts%drawing%cuts = [parts%drawing%cuts, shape]
+    end subroutine take_card
+
+end module app_export_conics
