@@ -163,7 +163,8 @@ def judge_curves(tally, deck, shapes, wanted):
         else:
             kept += len(edges) > 1
     count = sum(deck.entities[i]['type'] == 126 for i in shapes)
-    tally.ok(off <= CLOSE * max(most, 1), f'{count} splines are where they were, within {off:.1e} mm')
+    tally.ok(off <= CLOSE * max(most, 1),
+             f'{count} splines are where they were, within {off:.1e} mm')
     tally.ok(kept == count, 'with their weights')
 
 
