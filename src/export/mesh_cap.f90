@@ -54,14 +54,15 @@ contains
         end do
     end subroutine add_caps
 
-    !> The open edges in the plane of a stop, as a face beside them runs: from, to.
+    !> The open edges in the plane of a stop, as a face beside them runs: from, to, and 1 where they
+    !> bound the skin fore of it, -1 where aft.
     pure function open_edges(mesh, twin, sta, is_half) result(edges)
         type(mesh_type), intent(in) :: mesh     !! any
         integer, intent(in) :: twin(:)          !! of `find_twins`
         real(dp), intent(in) :: sta             !! deck units
         logical, intent(in) :: is_half          !! edges in BL 0 are not open
         integer, allocatable :: edges(:, :), found(:)
-        integer :: i, ends(2)
+        integer :: i, ends(2), side
 
         allocate (found(0))
         do i = 1, size(twin)
@@ -69,9 +70,11 @@ contains
             ends = half_edge(mesh, i)
             if (.not. all(is_equal(mesh%vertices(1, ends), sta))) cycle
             if (is_half .and. all(is_zero(mesh%vertices(2, ends)))) cycle
-            found = [found, ends(2), ends(1)]
+            side = 1
+            if (any(mesh%vertices(1, mesh%triangles(:, (i - 1)/3 + 1)) > sta)) side = -1
+            found = [found, ends(2), ends(1), side]
         end do
-        edges = reshape(found, [2, size(found)/2])
+        edges = reshape(found, [3, size(found)/3])
     end function open_edges
 
     !> Joins ends of chains of edges at BL 0, from the lowest to the next and so on.
@@ -82,7 +85,7 @@ contains
         integer :: i, k, v, excess
 
         allocate (ends(0))
-        do i = 1, size(edges)
+        do i = 1, 2*size(edges, 2)
             v = edges(2 - mod(i, 2), (i + 1)/2)
             excess = count(edges(2, :) == v) - count(edges(1, :) == v)
             if (excess == 0 .or. any(abs(ends) == v)) cycle
@@ -97,15 +100,15 @@ contains
         end do
         do i = 1, size(ends) - 1, 2
             if (ends(i) > 0 .eqv. ends(i + 1) > 0) cycle
-            edges = reshape([edges, max(ends(i), ends(i + 1)), -min(ends(i), ends(i + 1))], &
-                [2, size(edges, 2) + 1])
+            edges = reshape([edges, max(ends(i), ends(i + 1)), -min(ends(i), ends(i + 1)), 0], &
+                [3, size(edges, 2) + 1])
         end do
     end subroutine join_centre
 
     !> The loops that edges make; edges that lead nowhere are left out.
     pure function loops_of(mesh, edges) result(loops)
         type(mesh_type), intent(in) :: mesh     !! any
-        integer, intent(in) :: edges(:, :)      !! from, to; shape (2, edges)
+        integer, intent(in) :: edges(:, :)      !! of `open_edges`; shape (3, edges)
         type(loop_type), allocatable :: loops(:)
         type(loop_type) :: loop
         integer :: way(size(edges, 2)), i, n, next
@@ -131,13 +134,16 @@ contains
         end do
     end function loops_of
 
-    !> The free edge that goes on from another, the leftmost of several; or 0.
+    !> The free edge that goes on from another, or 0. Of several it is one that bounds the other
+    !> side, because there the outlines of both sides cross or touch; else the one that keeps
+    !> nearest to the face.
     pure integer function next_edge(mesh, edges, is_free, edge) result(next)
         type(mesh_type), intent(in) :: mesh     !! any
-        integer, intent(in) :: edges(:, :)      !! from, to
+        integer, intent(in) :: edges(:, :)      !! of `open_edges`
         logical, intent(in) :: is_free(:)       !! not in a loop yet
         integer, intent(in) :: edge             !! the one that is gone on from
         real(dp) :: ahead(2), way(2), turn, most
+        real(dp), parameter :: any_turn = 10.0_dp
         integer :: i
 
         next = 0
@@ -146,7 +152,8 @@ contains
         do i = 1, size(edges, 2)
             if (.not. is_free(i) .or. edges(1, i) /= edges(2, edge)) cycle
             way = mesh%vertices(2:, edges(2, i)) - mesh%vertices(2:, edges(1, i))
-            turn = atan2(cross(ahead, way), dot_product(ahead, way))
+            turn = real(edges(3, edge), dp)*atan2(cross(ahead, way), dot_product(ahead, way))
+            if (edges(3, i) /= edges(3, edge)) turn = turn + any_turn
             if (turn <= most) cycle
             most = turn
             next = i

@@ -71,37 +71,73 @@ contains
         type(link_type), intent(in) :: ring(:)  !! in the middle of the run
         type(row_type), intent(in) :: rows(:)   !! of the run
         type(mesh_type), intent(inout) :: mesh  !! gets it
-        integer :: ends(2, size(rows)), i
-        real(dp) :: facing
+        integer :: ends(2, size(rows)), middle, i
+        logical :: is_inverted
+        real(dp) :: rise
 
         do i = 1, size(rows)
             ends(:, i) = [first_of(rows(i), ring(1)), last_of(rows(i), ring(size(ring)))]
         end do
-        if (all(ends(1, 2:size(rows) - 1) == ends(2, 2:size(rows) - 1))) return
-        facing = body%sections(ring(1)%section)%outward
-        if (ring(1)%is_turned) facing = -facing
-        call add_normal(mesh, [0.0_dp, -facing*direction(mesh, ends), 0.0_dp])
-        if (facing < 0.0_dp) ends = ends([2, 1], :)
-        do i = 1, size(rows) - 1
-            call add_flat([ends(1, i), ends(1, i + 1), ends(2, i)], mesh)
-            call add_flat([ends(2, i), ends(1, i + 1), ends(2, i + 1)], mesh)
+        middle = (size(rows) + 1)/2
+        if (ends(1, middle) == ends(2, middle)) return
+        rise = mesh%vertices(3, ends(2, middle)) - mesh%vertices(3, ends(1, middle))
+        is_inverted = rise < 0.0_dp
+        if (is_inverted) ends = ends([2, 1], :)
+        if (ring(1)%is_turned .neqv. body%sections(ring(1)%section)%outward < 0.0_dp) &
+            is_inverted = .not. is_inverted
+        call add_normal(mesh, [0.0_dp, merge(1.0_dp, -1.0_dp, is_inverted), 0.0_dp])
+        do i = 2, size(rows)
+            call zip_wall(wall_line(rows(i - 1), ends(:, i - 1), mesh), &
+                wall_line(rows(i), ends(:, i), mesh), is_inverted, mesh)
         end do
     end subroutine add_wall
 
-    !> 1 where the ends of a ring are above its starts, else -1.
-    pure real(dp) function direction(mesh, ends)
+    !> The vertices of a row in BL 0 from the lower end of a wall to its upper: also ends of other
+    !> rings that are between, so that faces at a stop meet it edge to edge.
+    pure function wall_line(row, ends, mesh) result(line)
+        type(row_type), intent(in) :: row       !! a row of the run
+        integer, intent(in) :: ends(2)          !! lower and upper end of the wall
         type(mesh_type), intent(in) :: mesh     !! has the vertices
-        integer, intent(in) :: ends(:, :)       !! start and end in each row
-        direction = sign(1.0_dp, sum(mesh%vertices(3, ends(2, :)) - mesh%vertices(3, ends(1, :))))
-    end function direction
+        integer, allocatable :: line(:)
+        integer :: i, k
 
-    !> Adds a flat triangle unless it has shrunk to a line.
-    pure subroutine add_flat(vertex, mesh)
-        integer, intent(in) :: vertex(3)        !! its corners
-        type(mesh_type), intent(inout) :: mesh  !! gets it; its last normal is that of the wall
-        if (vertex(1) == vertex(2) .or. vertex(2) == vertex(3) .or. vertex(3) == vertex(1)) return
-        call add_triangle(mesh, vertex, [mesh%normal_count, mesh%normal_count, mesh%normal_count])
-    end subroutine add_flat
+        line = [ends(1)]
+        if (ends(1) == ends(2)) return
+        do i = 1, size(row%ends%vertex)
+            associate (v => row%ends%vertex(i))
+                if (abs(mesh%vertices(2, v)) > row%ends%reach) cycle
+                if (mesh%vertices(3, v) <= mesh%vertices(3, ends(1))) cycle
+                if (mesh%vertices(3, v) >= mesh%vertices(3, ends(2))) cycle
+                k = count(mesh%vertices(3, line) < mesh%vertices(3, v))
+                line = [line(:k), v, line(k + 1:)]
+            end associate
+        end do
+        line = [line, ends(2)]
+    end function wall_line
+
+    !> Adds the triangles of a wall between two rows.
+    pure subroutine zip_wall(fore, aft, is_inverted, mesh)
+        integer, intent(in) :: fore(:)          !! vertices of the fore row, upwards
+        integer, intent(in) :: aft(:)           !! vertices of the aft row, upwards
+        logical, intent(in) :: is_inverted      !! the outside is to starboard
+        type(mesh_type), intent(inout) :: mesh  !! gets them; its last normal is that of the wall
+        integer :: corner(3), normal(3), i, k
+
+        normal = mesh%normal_count
+        i = 1
+        k = 1
+        do while (i < size(fore) .or. k < size(aft))
+            if (i*size(aft) < k*size(fore) .and. i < size(fore) .or. k == size(aft)) then
+                corner = [fore(i), aft(k), fore(i + 1)]
+                i = i + 1
+            else
+                corner = [fore(i), aft(k), aft(k + 1)]
+                k = k + 1
+            end if
+            if (is_inverted) corner = corner([1, 3, 2])
+            call add_triangle(mesh, corner, normal)
+        end do
+    end subroutine zip_wall
 
     !> The vertex at which a ring begins.
     pure integer function first_of(row, link) result(vertex)

@@ -68,8 +68,8 @@ contains
             end associate
             call receipt%add(entity)
         end do
-        call receipt%say('points are on the exact skin; errors are those of flat panels between '// &
-            'them')
+        call receipt%say('points are on the exact skin; errors are those of flat panels '// &
+            'between them')
         if (networks%is_by_deck) then
             call receipt%say('contours are at the stations that the deck cuts, and where lines '// &
                 'begin, join or end')
