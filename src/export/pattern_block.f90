@@ -8,7 +8,7 @@ module export_pattern_block
     use export_drawing, only: drawing_type, shape_kind, shape_type
     use export_pattern_grid, only: families_of, family_type
     use export_pattern_number, only: ordinate, short
-    use export_pattern_page, only: label_type
+    use export_pattern_page, only: bounds_of, label_type
     use export_pattern_part, only: part_type
     use export_pattern_style, only: style
     use export_units, only: unit_type
@@ -21,8 +21,8 @@ module export_pattern_block
     !> gap behind it: in.
     real(dp), parameter :: title_height = 0.28_dp, heading_height = 0.17_dp, height = 0.12_dp, &
         line_height = 1.45_dp, sample = 0.6_dp, gap = 0.12_dp
-    !> From the part to the block, in.
-    real(dp), parameter :: below = 0.75_dp
+    !> From the outline to the block, and from whatever else is drawn, in.
+    real(dp), parameter :: below = 0.75_dp, clear = 0.15_dp
     !> Decimals of an error, in inches or millimetres: two figures more than can be measured.
     integer, parameter :: error_decimals = 6
 
@@ -34,9 +34,10 @@ contains
         type(shape_type), intent(in) :: shape       !! as drawn, whole or half
         type(unit_type), intent(in) :: unit         !! of the drawing
         type(part_type), intent(inout) :: part      !! gets it
-        real(dp) :: at(2)
+        real(dp) :: at(2), drawn(4)
 
-        at = part%box(:2) - [0.0_dp, below]
+        drawn = bounds_of(part%page)
+        at = [part%box(1), min(part%box(2) - below, drawn(2) - clear)]
         call write_line(shape%title, title_height, .true., at, part)
         if (drawing%title /= '') call write_line(drawing%title, heading_height, .false., at, part)
         call write_line('DECK '//drawing%deck//'     ORDINATES IN '//trim(unit%name)// &
@@ -80,7 +81,11 @@ contains
         type(part_type), intent(inout) :: part  !! gets it
 
         call draw_sample(style%like_outline, at, part)
-        call write_beside('OUTSIDE OF SKIN', at, part)
+        if (shape%kind == shape_kind%card) then
+            call write_beside('CURVE OF THE CARD', at, part)
+        else
+            call write_beside('OUTSIDE OF SKIN', at, part)
+        end if
         if (.not. any(part%traces%is_inside)) return
         call draw_sample(style%like_inside, at, part)
         call write_beside('INSIDE OF SKIN, '//ordinate(shape%skin)//' '//trim(unit%short), at, part)

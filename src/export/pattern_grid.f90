@@ -82,7 +82,8 @@ contains
         sine = abs(first(1)*second(2) - first(2)*second(1))/(norm2(first)*norm2(second))
     end function sine
 
-    !> Chooses the step of a family, and its lines within the part.
+    !> Chooses the step of a family, and its lines within the part, but for its very edges; of a
+    !> half the fold is among them.
     pure subroutine choose_step(part, family)
         type(part_type), intent(in) :: part         !! with its outlines
         type(family_type), intent(inout) :: family  !! gets them
@@ -97,8 +98,12 @@ contains
         high = family%base + maxval(corners)
         family%step = round_step(max((high - low)/least_steps, &
             shortest_step*norm2(family%gradient)/part%inch))
-        family%first = ceiling(low/family%step - at_edge)
-        family%last = floor(high/family%step + at_edge)
+        family%first = ceiling(low/family%step + at_edge)
+        family%last = floor(high/family%step - at_edge)
+        if (part%fold > 0 .and. family%axis == bl) then
+            family%first = min(family%first, 0)
+            family%last = max(family%last, 0)
+        end if
     end subroutine choose_step
 
     !> The largest of 1, 2 and 5 with a power of ten that is not above a length.
@@ -144,7 +149,7 @@ contains
     !> or upwards; distances are measured along it from its point nearest to u = v = 0.
     !>
     !> Of a part whose outlines do not close it is the stretch from its first crossing to its last;
-    !> to the far side of the part, or across all of it, where there are fewer than two.
+    !> to the open side of the part, or across all of it, where there are fewer than two.
     pure subroutine chords_of(part, family, number, along, foot, chords)
         type(part_type), intent(in) :: part                 !! with its outlines
         type(family_type), intent(in) :: family             !! the line is one of these
@@ -162,24 +167,32 @@ contains
         end associate
         along = [across(2), -across(1)]
         if (along(merge(2, 1, abs(along(1)) < leaning)) < 0.0_dp) along = -along
-        call find_crossings(part, along, foot, at)
+        call find_crossings(part, along, foot, part%is_region, at)
         if (part%is_region) then
             chords = reshape(at(:size(at)/2*2), [2, size(at)/2])
             return
         end if
         ends = [minval([(reach(part, along, foot, i), i=1, 4)]), &
             maxval([(reach(part, along, foot, i), i=1, 4)])]
-        if (size(at) > 1) then
-            ends = [at(1), at(size(at))]
-        else if (size(at) == 1) then
-            if (at(1) - ends(1) > ends(2) - at(1)) then
-                ends(2) = at(1)
-            else
-                ends(1) = at(1)
-            end if
-        end if
+        if (size(at) > 1) ends = [at(1), at(size(at))]
+        if (size(at) == 1) &
+            ends(merge(1, 2, is_open_ahead(part, along, foot, at(1)))) = at(1)
         chords = reshape(ends, [2, 1])
     end subroutine chords_of
+
+    !> True where the open side of a part is ahead of the only crossing of a line: where the line
+    !> crosses the chord from an end of the outline to the other.
+    pure logical function is_open_ahead(part, along, foot, crossing) result(is_ahead)
+        type(part_type), intent(in) :: part     !! its outlines do not close
+        real(dp), intent(in) :: along(2)        !! of the line
+        real(dp), intent(in) :: foot(2)         !! of the line
+        real(dp), intent(in) :: crossing        !! distance along it
+        real(dp), allocatable :: at(:)
+
+        call find_crossings(part, along, foot, .true., at)
+        is_ahead = .true.
+        if (size(at) > 1) is_ahead = 0.5_dp*(at(1) + at(size(at))) > crossing
+    end function is_open_ahead
 
     !> Where along a line a corner of the part's box is.
     pure real(dp) function reach(part, along, foot, corner)
@@ -192,10 +205,11 @@ contains
     end function reach
 
     !> Where a line crosses the outlines, and the fold where they do not close along it; in order.
-    pure subroutine find_crossings(part, along, foot, at)
+    pure subroutine find_crossings(part, along, foot, has_chords, at)
         type(part_type), intent(in) :: part             !! with its outlines
         real(dp), intent(in) :: along(2)                !! of the line
         real(dp), intent(in) :: foot(2)                 !! of the line
+        logical, intent(in) :: has_chords               !! outlines are closed by their chords
         real(dp), allocatable, intent(out) :: at(:)     !! distances along it
         real(dp) :: across(2), before, after, s
         integer :: i, k, next, last
@@ -206,7 +220,7 @@ contains
             if (part%traces(i)%is_inside) cycle
             associate (p => part%traces(i)%flat)
                 last = size(p, 2)
-                if (.not. part%is_region) last = last - 1
+                if (.not. has_chords) last = last - 1
                 do k = 1, last
                     next = mod(k, size(p, 2)) + 1
                     before = dot_product(across, p(:, k) - foot)

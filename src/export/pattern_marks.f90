@@ -73,7 +73,7 @@ contains
         line(:, 2) = line(:, 1) - tick*mark%outward
         call part%page%draw(style%bevel, line)
         call part%room%take_line(line)
-        do i = 0, 3
+        do i = 0, 1
             do k = 1, size(asides)
                 at = line(:, 2) - (gap + 0.5_dp*stride*real(i, dp))*mark%outward + &
                     (0.5_dp*capital + asides(k))*small*down

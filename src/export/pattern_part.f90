@@ -37,8 +37,8 @@ module export_pattern_part
         real(dp) :: error = 0.0_dp                  !! largest of the outlines, in
     end type part_type
 
-    !> What rounding in the file adds to an error, in: PDF has five decimals of a 72nd, SVG four of a
-    !> thousandth of an inch, in each of two directions.
+    !> What rounding in the file adds to an error, in: PDF has five decimals of a 72nd, SVG four of
+    !> a thousandth of an inch, in each of two directions.
     real(dp), parameter :: rounding = 1.0e-7_dp
     !> Nearer than this to the fold is on it, in.
     real(dp), parameter :: on_centre = 1.0e-4_dp

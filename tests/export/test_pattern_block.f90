@@ -62,8 +62,8 @@ program test_pattern_block
     call tap%has(words, 'PLANE THROUGH STA 104 BL 0 WL 0, NORMAL 1 0.1 -0.2', 'any plane')
     shape%kind = shape_kind%card
     words = block_of(shape, 'INCHES')
-    call tap%ok(index(words, 'FLANGE') == 0 .and. index(words, 'PLANE') == 0, &
-        'a card of 1970 has neither plane nor flange')
+    call tap%ok(index(words, 'FLANGE') == 0 .and. index(words, 'PLANE') == 0 .and. &
+        index(words, 'SKIN') == 0, 'a card of 1970 has neither plane nor flange nor skin')
     call tap%finish()
 
 contains
