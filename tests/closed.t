@@ -67,4 +67,15 @@ for kind in CIRCLE ELLIPSE PARABOLA HYPERBOLA 'STRAIGHT LINE' 'TURNS BY MORE THA
     grep -q "^$kind" "$work/kinds"
     ok $? "a conic of the deck is called $kind"
 done
+
+# Lines as C-Bezier curves that are quarters of ellipses: an ellipsoid forward of station 30.
+"$LOFT" run --format csv cards/c-bezier.crd > "$work/csv" 2> "$work/faults"
+ok $? 'the deck of C-Bezier lines runs without an error' "$(cat "$work/faults")"
+awk -F, 'NR > 1 && $4 <= 30 {
+    n++
+    off = ($4 - 30)^2/900 + $5^2/400 + $6^2/100 - 1
+    if (off < 0) off = -off
+    if (off > worst) worst = off
+} END { exit !(n > 50 && worst < 1e-14) }' "$work/csv"
+ok $? 'every row forward of station 30 is on the ellipsoid'
 finish

@@ -1,15 +1,15 @@
-!> From the data cards of one view of a control line to its chain of arcs, with its joints.
+!> From the data cards of one view of a control line to its chain of strokes, with its joints.
 module body_build_view
     use base_error, only: error_type
     use base_fault, only: fault_list_type
     use base_kinds, only: dp
     use base_text, only: compact
     use body_ledger, only: is_broken, joint_between, joint_type
-    use body_piece, only: piece_arc
+    use body_piece, only: piece_stroke
     use deck_body_card, only: blame_span, warn
     use deck_job, only: control_line_type, piece_type
-    use geom_arc, only: arc_type, reversed
     use geom_chain, only: chain_type, new_chain
+    use geom_stroke, only: reversed_stroke, stroke_type
     use geom_vector, only: at_text
     implicit none (type, external)
     private
@@ -29,69 +29,70 @@ contains
         type(chain_type), allocatable, intent(out) :: chain         !! where nothing is in error
         type(joint_type), allocatable, intent(inout) :: joints(:)   !! the ledger
         type(fault_list_type), intent(inout) :: faults              !! what is wrong is added
-        type(arc_type), allocatable :: arcs(:)
+        type(stroke_type), allocatable :: strokes(:)
         type(chain_type) :: built
         type(error_type), allocatable :: error
         integer :: before
 
         before = faults%count
         associate (pieces => line%view(which)%piece)
-            call build_arcs(pieces, arcs, faults)
-            if (.not. faults%has_errors(before)) call check_gaps(pieces, arcs, gap, faults)
+            allocate (strokes(size(pieces)))
+            call build_strokes(pieces, strokes, faults)
+            if (.not. faults%has_errors(before)) call check_gaps(pieces, strokes, gap, faults)
             if (faults%has_errors(before)) return
-            call new_chain(arcs, gap, built, error)
+            call new_chain(strokes, gap, built, error)
             if (allocated(error)) then
                 call blame_values(pieces(size(pieces)), error%message, faults)
                 return
             end if
-            call enter_joints(line, which, built, .not. runs_aft(arcs(1)), joints, faults)
+            call enter_joints(line, which, built, .not. runs_aft(strokes(1)), joints, faults)
             allocate (chain, source=built)
         end associate
     end subroutine build_view
 
-    !> The arcs of pieces, all in the direction of the first; none after one in error.
-    pure subroutine build_arcs(pieces, arcs, faults)
+    !> The strokes of pieces, all in the direction of the first; none after one in error.
+    pure subroutine build_strokes(pieces, strokes, faults)
         type(piece_type), intent(in) :: pieces(:)               !! from first to last
-        type(arc_type), allocatable, intent(out) :: arcs(:)     !! as many
+        type(stroke_type), intent(inout) :: strokes(:)          !! as many
         type(fault_list_type), intent(inout) :: faults          !! what is wrong is added
         type(chain_type) :: alone
-        type(arc_type) :: before
+        type(stroke_type) :: before
         type(error_type), allocatable :: error
         integer :: i
 
-        allocate (arcs(size(pieces)))
         do i = 1, size(pieces)
-            call piece_arc(pieces(i), before, arcs(i), error)
-            if (.not. allocated(error)) call new_chain(arcs(i:i), alone, error)
+            call piece_stroke(pieces(i), before, strokes(i), error)
+            if (.not. allocated(error)) call new_chain(strokes(i:i), 0.0_dp, alone, error)
             if (allocated(error)) then
                 call blame_values(pieces(i), error%message, faults)
                 return
             end if
-            if (runs_aft(arcs(i)) .neqv. runs_aft(arcs(1))) arcs(i) = reversed(arcs(i))
-            before = arcs(i)
+            if (runs_aft(strokes(i)) .neqv. runs_aft(strokes(1))) &
+                strokes(i) = reversed_stroke(strokes(i))
+            before = strokes(i)
         end do
-    end subroutine build_arcs
+    end subroutine build_strokes
 
-    !> True for an arc towards greater stations.
-    pure logical function runs_aft(arc)
-        type(arc_type), intent(in) :: arc !! any arc
-        runs_aft = arc%finish(1) > arc%start(1)
+    !> True for a stroke towards greater stations.
+    pure logical function runs_aft(stroke)
+        type(stroke_type), intent(in) :: stroke !! any
+        runs_aft = stroke%finish(1) > stroke%start(1)
     end function runs_aft
 
     !> Blames a piece that does not begin where the one before ends, or lies beside it.
-    pure subroutine check_gaps(pieces, arcs, gap, faults)
+    pure subroutine check_gaps(pieces, strokes, gap, faults)
         type(piece_type), intent(in) :: pieces(:)       !! from first to last
-        type(arc_type), intent(in) :: arcs(:)           !! their arcs, in one direction
+        type(stroke_type), intent(in) :: strokes(:)     !! theirs, in one direction
         real(dp), intent(in) :: gap                     !! largest gap, deck units
         type(fault_list_type), intent(inout) :: faults  !! what is wrong is added
         real(dp) :: apart
         integer :: i
 
         do i = 2, size(pieces)
-            apart = norm2(arcs(i)%start - arcs(i - 1)%finish)
+            apart = norm2(strokes(i)%start - strokes(i - 1)%finish)
             if (apart <= gap) cycle
-            call blame_values(pieces(i), 'the line goes on at '//at_text(arcs(i)%start)// &
-                ', but the card before ends at '//at_text(arcs(i - 1)%finish)//', '// &
+            call blame_values(pieces(i), 'the line goes on at '//at_text(strokes(i)%start)// &
+                ', but the card before ends at '//at_text(strokes(i - 1)%finish)//', '// &
                 compact(apart)//' away; make it the same point (TOLER allows '//compact(gap)// &
                 ')', faults)
         end do

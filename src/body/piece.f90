@@ -1,5 +1,6 @@
-!> The arc of a data card of a control line, whichever way it is given.
+!> The stroke of a data card of a control line, whichever way it is given.
 module body_piece
+    use base_constants, only: degrees
     use base_error, only: error_type
     use base_kinds, only: dp
     use deck_job, only: piece, piece_real, piece_type
@@ -7,24 +8,45 @@ module body_piece
     use geom_arc_by_circle, only: circle_by_points, circle_by_radius
     use geom_arc_by_points, only: arc_by_five_points, arc_by_four_points, line_by_points
     use geom_arc_by_rho, only: arc_by_corner, arc_by_corner_rho, arc_by_rho
-    use geom_arc_point, only: curvature
     use geom_joint, only: match_finish, match_start
     use geom_place, only: at_finish
     use geom_points, only: check_distinct
     use geom_span, only: new_span, span_by_corner, span_type
+    use geom_stroke, only: conic_stroke, cyclic_stroke, stroke_curvature, stroke_type
     implicit none (type, external)
     private
 
-    public :: piece_arc
+    public :: piece_stroke
 
 contains
 
-    !> The arc of a piece, from its point 1 to its point 3; y over station.
+    !> The stroke of a piece, from its point 1 to its point 3; y over station.
     !>
-    !> Fails as the constructor of the arc does; the message says what would be right.
+    !> Fails as the constructor of the arc does, and with `cause%points_coincide` where poles of a
+    !> C-Bezier curve are one; the message says what would be right.
+    pure subroutine piece_stroke(item, before, stroke, error)
+        type(piece_type), intent(in) :: item                !! the piece
+        type(stroke_type), intent(in) :: before             !! the one before it, for MATCH
+        type(stroke_type), intent(out) :: stroke            !! where there is no error
+        type(error_type), allocatable, intent(out) :: error !! see above
+        real(dp) :: v(9)
+        type(arc_type) :: arc
+
+        if (item%kind == piece%cyclic) then
+            v = piece_real(item, [1, 2, 3, 4, 5, 6, 7, 8, 9])
+            call check_distinct(reshape(v(:8), [2, 4]), '1AB3', error)
+            if (.not. allocated(error)) &
+                stroke = cyclic_stroke(reshape(v(:8), [2, 4]), v(9)/degrees)
+        else
+            call piece_arc(item, before, arc, error)
+            if (.not. allocated(error)) stroke = conic_stroke(arc)
+        end if
+    end subroutine piece_stroke
+
+    !> The arc of a piece that is a conic. Fails as its constructor does.
     pure subroutine piece_arc(item, before, arc, error)
         type(piece_type), intent(in) :: item                !! the piece
-        type(arc_type), intent(in) :: before                !! the one before it, for MATCH
+        type(stroke_type), intent(in) :: before             !! the one before it, for MATCH
         type(arc_type), intent(out) :: arc                  !! the arc, where there is no error
         type(error_type), allocatable, intent(out) :: error !! see above
         real(dp) :: v(10)
@@ -66,7 +88,7 @@ contains
     pure subroutine matching_arc(item, v, before, arc, error)
         type(piece_type), intent(in) :: item                !! the piece
         real(dp), intent(in) :: v(:)                        !! its numbers
-        type(arc_type), intent(in) :: before                !! the arc before it
+        type(stroke_type), intent(in) :: before             !! the stroke before it
         type(arc_type), intent(out) :: arc                  !! the arc, where there is no error
         type(error_type), allocatable, intent(out) :: error !! see above
         type(span_type) :: span
@@ -74,7 +96,7 @@ contains
 
         call span_of(item, v, span, error)
         if (allocated(error)) return
-        bend = curvature(before, at_finish)
+        bend = stroke_curvature(before, at_finish)
         if (norm2(span%start - before%finish) <= norm2(span%finish - before%finish)) then
             call match_start(span, bend, arc, error)
         else

@@ -5,7 +5,7 @@ module deck_body_data_fields
     private
 
     !> The data cards, each with its points in order from the first to the last.
-    type(body_field_type), parameter, public :: data_fields(67) = [ &
+    type(body_field_type), parameter, public :: data_fields(76) = [ &
         body_field_type(card%conic, 1, 'X1', form%number, need%always, 'deck unit', &
         'first point'), &
         body_field_type(card%conic, 2, 'Y1', form%number, need%always, 'deck unit', &
@@ -134,6 +134,24 @@ module deck_body_data_fields
         'last point'), &
         body_field_type(card%radius, 6, 'R', form%number, need%always, 'deck unit', &
         'radius, positive where the arc curves left from point 1 to 3'), &
+        body_field_type(card%cyclic, 2, 'X1', form%number, need%always, 'deck unit', &
+        'first point'), &
+        body_field_type(card%cyclic, 3, 'Y1', form%number, need%always, 'deck unit', &
+        'first point'), &
+        body_field_type(card%cyclic, 4, 'XA', form%number, need%always, 'deck unit', &
+        'pole on the tangent at the first point'), &
+        body_field_type(card%cyclic, 5, 'YA', form%number, need%always, 'deck unit', &
+        'pole on the tangent at the first point'), &
+        body_field_type(card%cyclic, 6, 'XB', form%number, need%always, 'deck unit', &
+        'pole on the tangent at the last point'), &
+        body_field_type(card%cyclic, 7, 'YB', form%number, need%always, 'deck unit', &
+        'pole on the tangent at the last point'), &
+        body_field_type(card%cyclic, 8, 'X3', form%number, need%always, 'deck unit', &
+        'last point'), &
+        body_field_type(card%cyclic, 9, 'Y3', form%number, need%always, 'deck unit', &
+        'last point'), &
+        body_field_type(card%cyclic, 10, 'ALPHA', form%number, need%always, 'degrees', &
+        'above 0, to 180; a circular arc of that turn is exact'), &
         body_field_type(card%point, 1, 'X', form%number, need%always, 'deck unit', &
         'a point of the spline, or a pole of the Bezier curve'), &
         body_field_type(card%point, 2, 'Y', form%number, need%always, 'deck unit', &

@@ -69,12 +69,12 @@ module deck_body_layout
         integer :: body = 7, nose = 8, line = 9
         integer :: conic = 10, rho = 11, tangent = 12, tangent_rho = 13, four_points = 14
         integer :: five_points = 15, straight = 16, circle = 17, radius = 18
-        integer :: point = 19
-        integer :: section = 20
-        integer :: points = 21, limit = 22, flange = 23, skin = 24
-        integer :: station = 25, stations = 26, buttock = 27, waterline = 28, oblique = 29, &
-            plane = 30
-        integer :: check_point = 31, check_sphere = 32, check_box = 33, end = 34
+        integer :: cyclic = 19, point = 20
+        integer :: section = 21
+        integer :: points = 22, limit = 23, flange = 24, skin = 25
+        integer :: station = 26, stations = 27, buttock = 28, waterline = 29, oblique = 30, &
+            plane = 31
+        integer :: check_point = 32, check_sphere = 33, check_box = 34, end = 35
     end type body_card_list
 
     !> Which card is which.
@@ -85,7 +85,7 @@ module deck_body_layout
         one_slope = 'LAST DXDY KNUCKLE', no_slope = 'KNUCKLE'
 
     !> The cards of a body deck besides TITLE and UNITS.
-    type(body_layout_type), parameter, public :: body_layout(34) = [ &
+    type(body_layout_type), parameter, public :: body_layout(35) = [ &
         body_layout_type('OUTPUT', '', '', &
         'unit of the listing; CSV and files keep the unit of the deck'), &
         body_layout_type('DIGITS', '', '', 'decimals of the ordinates in the listing'), &
@@ -112,6 +112,8 @@ module deck_body_layout
         'data card: the circular arc through three points'), &
         body_layout_type('RADIUS', '', no_slope, &
         'data card: the circular arc of at most 180 degrees between two points'), &
+        body_layout_type('CBEZIER', '', no_slope, &
+        'data card: a cubic C-Bezier curve: four poles and an angle'), &
         body_layout_type('', '', '', &
         'data card of a SPLINE or BEZIER line: one point or pole; it has no word'), &
         body_layout_type('SECTION', '', '', &

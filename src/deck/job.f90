@@ -41,7 +41,8 @@ module deck_job
         integer :: straight = 7     !! X1 Y1 X3 Y3
         integer :: circle = 8       !! X1 Y1 X2 Y2 X3 Y3
         integer :: radius = 9       !! X1 Y1 X3 Y3 R
-        integer :: point = 10       !! X Y of a spline's point or a pole; S at an end
+        integer :: cyclic = 10      !! X1 Y1 XA YA XB YB X3 Y3 ALPHA
+        integer :: point = 11       !! X Y of a spline's point or a pole; S at an end
     end type piece_list
     type(piece_list), parameter, public :: piece = piece_list()
 

@@ -183,6 +183,9 @@ contains
                 'rho is above 0 and below 1; below .5 an ellipse, .5 a parabola', faults)
         else if (item%kind == piece%radius .and. is_zero(number)) then
             call blame(item%card, last - 1, 'the radius is zero', faults)
+        else if (item%kind == piece%cyclic .and. .not. (number > 0.0_dp .and. number <= 180.0_dp)) &
+            then
+            call blame(item%card, last - 1, 'ALPHA is above 0 and not above 180 degrees', faults)
         end if
     end subroutine check_piece
 

@@ -152,9 +152,10 @@ contains
         real(dp) :: share
         integer :: main, i, k, last
 
+        is_one = .not. any(is_cyclic(stretch%view))
+        if (.not. is_one) return
         main = 2
         if (is_plain(stretch%view(2)) .and. .not. is_plain(stretch%view(1))) main = 1
-        is_one = .true.
         if (stretch%view(main)%is_constant) main = 3 - main
         if (stretch%view(main)%is_constant) then
             spline = line_spline(stretch%at(0.0_dp), stretch%at(1.0_dp))
@@ -187,6 +188,12 @@ contains
             end if
         end associate
     end subroutine join_views
+
+    !> True for a C-Bezier curve, which is no B-spline.
+    elemental logical function is_cyclic(view)
+        type(view_type), intent(in) :: view !! any
+        is_cyclic = .not. view%is_constant .and. view%stroke%kind == stroke_kind%cyclic
+    end function is_cyclic
 
     !> True for a view that is straight.
     pure logical function is_plain(view)

@@ -9,6 +9,7 @@ module geom_stroke
     use geom_arc_point, only: arc_curvature => curvature, arc_point => point, arc_tangent => tangent
     use geom_bezier, only: bezier_derivative, bezier_jet, bezier_part, bezier_point
     use geom_crossing, only: crossing, turning_places
+    use geom_cyclic, only: cyclic_jet, cyclic_part, cyclic_point
     use geom_place, only: at_finish, at_start, is_finish, is_start, place_at, place_type
     use geom_subarc, only: part_of
     use geom_twofold, only: operator(+), operator(/), to_real
@@ -16,13 +17,15 @@ module geom_stroke
     implicit none (type, external)
     private
 
-    public :: stroke_type, conic_stroke, bezier_stroke, reversed_stroke, stroke_part
+    public :: stroke_type, conic_stroke, bezier_stroke, cyclic_stroke, reversed_stroke, stroke_part
     public :: is_straight, stroke_point, stroke_tangent, stroke_curvature, stroke_place, stroke_turn
+    public :: stroke_jet
 
     !> The kinds of stroke.
     type, public :: stroke_list
         integer :: conic = 1        !! an arc of a conic, or a straight line
         integer :: bezier = 2       !! a polynomial curve
+        integer :: cyclic = 3       !! a cubic C-Bezier curve
     end type stroke_list
 
     !> The kinds by name.
@@ -34,7 +37,8 @@ module geom_stroke
         real(dp) :: start(2) = 0.0_dp           !! its first point
         real(dp) :: finish(2) = 0.0_dp          !! its last point
         type(arc_type) :: arc                   !! of a conic
-        real(dp), allocatable :: pole(:, :)     !! of a Bezier curve, shape (2, degree + 1)
+        real(dp), allocatable :: pole(:, :)     !! of a Bezier or C-Bezier curve, shape (2, poles)
+        real(dp) :: alpha = 0.0_dp              !! of a C-Bezier curve, radians
     end type stroke_type
 
     !> Halvings of the parameter that place a point: as many as a double has bits, and some.
@@ -63,6 +67,15 @@ contains
         stroke%pole = pole
     end function bezier_stroke
 
+    !> A C-Bezier curve as a stroke.
+    pure type(stroke_type) function cyclic_stroke(pole, alpha) result(stroke)
+        real(dp), intent(in) :: pole(:, :)  !! four poles, shape (2, 4)
+        real(dp), intent(in) :: alpha       !! radians, above 0, not above pi
+        stroke = bezier_stroke(pole)
+        stroke%kind = stroke_kind%cyclic
+        stroke%alpha = alpha
+    end function cyclic_stroke
+
     !> True for a straight line.
     elemental logical function is_straight(stroke)
         type(stroke_type), intent(in) :: stroke !! any
@@ -76,6 +89,8 @@ contains
             back = conic_stroke(reversed(stroke%arc))
         else
             back = bezier_stroke(stroke%pole(:, size(stroke%pole, 2):1:-1))
+            back%kind = stroke%kind
+            back%alpha = stroke%alpha
         end if
     end function reversed_stroke
 
@@ -84,12 +99,19 @@ contains
         type(stroke_type), intent(in) :: stroke     !! any
         type(place_type), intent(in) :: first       !! where the part begins
         type(place_type), intent(in) :: second      !! where it ends
-        if (stroke%kind == stroke_kind%conic) then
+        real(dp) :: pole(2, 4), alpha
+
+        select case (stroke%kind)
+        case (stroke_kind%conic)
             part = conic_stroke(part_of(stroke%arc, first, second))
-        else
+        case (stroke_kind%bezier)
             part = bezier_stroke(bezier_part(stroke%pole, parameter_of(first), &
                 parameter_of(second)))
-        end if
+        case default
+            call cyclic_part(stroke%pole, stroke%alpha, parameter_of(first), &
+                parameter_of(second), pole, alpha)
+            part = cyclic_stroke(pole, alpha)
+        end select
     end function stroke_part
 
     !> The usual parameter of a place.
@@ -110,10 +132,27 @@ contains
             point = stroke%start
         else if (is_finish(place)) then
             point = stroke%finish
-        else
+        else if (stroke%kind == stroke_kind%bezier) then
             point = bezier_point(stroke%pole, parameter_of(place))
+        else
+            point = cyclic_point(stroke%pole, stroke%alpha, parameter_of(place))
         end if
     end function stroke_point
+
+    !> The point of a stroke that is no conic, and its first two derivatives over the parameter.
+    pure subroutine stroke_jet(stroke, t, point, first, second)
+        type(stroke_type), intent(in) :: stroke     !! no conic
+        real(dp), intent(in) :: t                   !! 0 to 1
+        real(dp), intent(out) :: point(2)           !! deck units
+        real(dp), intent(out) :: first(2)           !! first derivative
+        real(dp), intent(out) :: second(2)          !! second derivative
+
+        if (stroke%kind == stroke_kind%bezier) then
+            call bezier_jet(stroke%pole, t, point, first, second)
+        else
+            call cyclic_jet(stroke%pole, stroke%alpha, t, point, first, second)
+        end if
+    end subroutine stroke_jet
 
     !> The tangent at a place, forward along the stroke; its length has no meaning. Where the first
     !> derivative vanishes, at an end whose poles are one, it is the way to the next pole.
@@ -128,7 +167,7 @@ contains
             tangent = arc_tangent(stroke%arc, place)
             return
         end if
-        call bezier_jet(stroke%pole, parameter_of(place), point, tangent, second)
+        call stroke_jet(stroke, parameter_of(place), point, tangent, second)
         if (any(abs(tangent) > 0.0_dp)) return
         do i = 2, size(stroke%pole, 2)
             tangent = stroke%pole(:, i) - stroke%start
@@ -148,7 +187,7 @@ contains
             curvature = arc_curvature(stroke%arc, place)
             return
         end if
-        call bezier_jet(stroke%pole, parameter_of(place), point, first, second)
+        call stroke_jet(stroke, parameter_of(place), point, first, second)
         pace = norm2(first)
         curvature = 0.0_dp
         if (pace > 0.0_dp) curvature = cross(first, second)/pace**3
@@ -167,26 +206,27 @@ contains
         else if (stroke%kind == stroke_kind%conic) then
             place = crossing(stroke%arc, 1, x, rising=.true.)
         else
-            place = place_at(parameter_at(stroke%pole(1:1, :), x))
+            place = place_at(parameter_at(stroke, x))
         end if
     end function stroke_place
 
-    !> The parameter where a polynomial that rises takes a value between those at its ends: Newton's
+    !> The parameter where a stroke that is no conic takes an x between those of its ends: Newton's
     !> method, kept between bounds that close in.
-    pure real(dp) function parameter_at(pole, x) result(t)
-        real(dp), intent(in) :: pole(:, :)  !! of the polynomial, shape (1, degree + 1)
-        real(dp), intent(in) :: x           !! the value
-        real(dp) :: bounds(2), value(1), pace(1), bend(1)
+    pure real(dp) function parameter_at(stroke, x) result(t)
+        type(stroke_type), intent(in) :: stroke     !! towards greater x
+        real(dp), intent(in) :: x                   !! deck units
+        real(dp) :: bounds(2), at(2), pace(2), bend(2), off
         integer :: i
 
         bounds = [0.0_dp, 1.0_dp]
-        t = (x - pole(1, 1))/(pole(1, size(pole, 2)) - pole(1, 1))
+        t = (x - stroke%start(1))/(stroke%finish(1) - stroke%start(1))
         do i = 1, most_steps
-            call bezier_jet(pole, t, value, pace, bend)
-            if (abs(value(1) - x) <= 0.0_dp) return
-            bounds(merge(1, 2, value(1) < x)) = t
-            if (abs(value(1) - x) < abs(pace(1))*(bounds(2) - bounds(1))) then
-                t = t - (value(1) - x)/pace(1)
+            call stroke_jet(stroke, t, at, pace, bend)
+            off = at(1) - x
+            if (abs(off) <= 0.0_dp) return
+            bounds(merge(1, 2, off < 0.0_dp)) = t
+            if (abs(off) < abs(pace(1))*(bounds(2) - bounds(1))) then
+                t = t - off/pace(1)
             else
                 t = 0.5_dp*sum(bounds)
             end if
@@ -209,11 +249,13 @@ contains
         turns = .false.
         at = 0.0_dp
         allocate (places(0))
-        if (stroke%kind /= stroke_kind%conic) then
+        if (stroke%kind == stroke_kind%bezier) then
             call find_fall(bezier_derivative(stroke%pole(1:1, :)), noise, turns, at(1))
-            if (turns) at = bezier_point(stroke%pole, at(1))
-            return
+        else if (stroke%kind == stroke_kind%cyclic) then
+            call find_least(stroke, noise, turns, at(1))
         end if
+        if (turns) at = stroke_point(stroke, place_at(at(1)))
+        if (stroke%kind /= stroke_kind%conic) return
         places = turning_places(stroke%arc, 1)
         do i = 1, size(places)
             at = arc_point(stroke%arc, places(i))
@@ -252,5 +294,31 @@ contains
         falls = pole(1, size(pole, 2)) < -noise
         if (.not. falls) t = 0.0_dp
     end subroutine find_fall
+
+    !> Whether dx/ds of a C-Bezier curve is anywhere below zero, and where: it is a + b cos + c sin of
+    !> the angle from the middle, so that it has one least value.
+    pure subroutine find_least(stroke, noise, falls, s)
+        type(stroke_type), intent(in) :: stroke     !! a C-Bezier curve
+        real(dp), intent(in) :: noise               !! what counts as zero
+        logical, intent(out) :: falls               !! it is
+        real(dp), intent(out) :: s                  !! where; zero where it is not
+        real(dp) :: pace(3), at(2), first(2), second(2), half, b, c, tau
+        integer :: i
+
+        do i = 1, 3
+            call stroke_jet(stroke, 0.5_dp*real(i - 1, dp), at, first, second)
+            pace(i) = first(1)
+        end do
+        half = 0.5_dp*stroke%alpha
+        b = (pace(2) - 0.5_dp*(pace(1) + pace(3)))/(2.0_dp*sin(0.5_dp*half)**2)
+        c = (pace(3) - pace(1))/(2.0_dp*sin(half))
+        s = merge(0.0_dp, 1.0_dp, pace(1) < pace(3))
+        tau = 0.0_dp
+        if (abs(b) + abs(c) > 0.0_dp) tau = atan2(-c, -b)
+        if (abs(tau) < half) s = 0.5_dp + 0.5_dp*tau/half
+        call stroke_jet(stroke, s, at, first, second)
+        falls = first(1) < -noise
+        if (.not. falls) s = 0.0_dp
+    end subroutine find_least
 
 end module geom_stroke

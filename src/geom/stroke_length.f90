@@ -3,19 +3,18 @@ module geom_stroke_length
     use base_error, only: error_type
     use base_kinds, only: dp
     use base_tolerances, only: quadrature_tolerance, spacing_tolerance
-    use geom_bezier, only: bezier_jet
     use geom_length, only: arc_length, places_by_length
     use geom_place, only: at_finish, at_start, place_at, place_type
     use geom_quadrature, only: integrand_type, integrate
-    use geom_stroke, only: stroke_kind, stroke_type
+    use geom_stroke, only: stroke_jet, stroke_kind, stroke_type
     implicit none (type, external)
     private
 
     public :: stroke_length, stroke_places
 
-    !> The speed |dC/dt| of a Bezier curve.
+    !> The speed |dC/dt| of a stroke that is no conic.
     type, extends(integrand_type) :: speed_type
-        real(dp), allocatable :: pole(:, :)     !! of the curve
+        type(stroke_type) :: stroke     !! of which stroke
     contains
         procedure :: at => speed_at
     end type speed_type
@@ -35,7 +34,7 @@ contains
         if (stroke%kind == stroke_kind%conic) then
             call arc_length(stroke%arc, length, error)
         else
-            allocate (speed%pole, source=stroke%pole)
+            speed%stroke = stroke
             call integrate(speed, 0.0_dp, 1.0_dp, quadrature_tolerance, length, error)
         end if
     end subroutine stroke_length
@@ -56,7 +55,7 @@ contains
             call places_by_length(stroke%arc, number, places, error)
             return
         end if
-        allocate (speed%pole, source=stroke%pole)
+        speed%stroke = stroke
         reached(0) = 0.0_dp
         do k = 1, stretches
             call integrate(speed, share(k - 1), share(k), spacing_tolerance, reached(k), error)
@@ -109,8 +108,8 @@ contains
     pure real(dp) function speed_at(f, t) result(speed)
         class(speed_type), intent(in) :: f  !! of which curve
         real(dp), intent(in) :: t           !! 0 to 1
-        real(dp), dimension(size(f%pole, 1)) :: point, first, second
-        call bezier_jet(f%pole, t, point, first, second)
+        real(dp), dimension(2) :: point, first, second
+        call stroke_jet(f%stroke, t, point, first, second)
         speed = norm2(first)
     end function speed_at
 

@@ -1,4 +1,4 @@
-!> A stroke as a B-spline, exactly.
+!> A stroke as a B-spline, exactly; a C-Bezier curve is none.
 module geom_stroke_spline
     use base_kinds, only: dp
     use geom_arc_spline, only: arc_spline
@@ -13,7 +13,7 @@ contains
 
     !> A stroke as a B-spline, rational where it is a conic, from its start to its finish.
     pure type(bspline_type) function stroke_spline(stroke) result(spline)
-        type(stroke_type), intent(in) :: stroke !! any
+        type(stroke_type), intent(in) :: stroke !! a conic or a Bezier curve
         integer :: poles
 
         if (stroke%kind == stroke_kind%conic) then

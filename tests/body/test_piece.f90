@@ -3,18 +3,20 @@ program test_piece
     use base_error, only: error_type
     use base_fault, only: fault_list_type
     use base_kinds, only: dp
-    use body_piece, only: piece_arc
+    use body_piece, only: piece_stroke
     use deck_job, only: job_type, view
     use geom_arc, only: arc_type, line_between, rho, weight
     use geom_arc_by_circle, only: circle_by_radius
     use geom_arc_point, only: curvature, point
-    use geom_place, only: at_finish, at_shoulder, at_start
+    use geom_place, only: at_finish, at_shoulder, at_start, place_at
+    use geom_stroke, only: conic_stroke, stroke_kind, stroke_point, stroke_type
     use support_job_deck, only: job_of, words_of
     use support_tap, only: tap_type
     implicit none (type, external)
 
     type(tap_type) :: tap
     type(arc_type) :: arc, before
+    type(stroke_type) :: stroke
     type(error_type), allocatable :: error
 
     call read('0.,0.,999.999,.2,.6,1.,1.,0.')
@@ -54,6 +56,7 @@ program test_piece
     call read('RADIUS,0.,5.,5.,0.,-5.')
     call tap%near(curvature(arc, at_start), -0.2_dp, 1.0e-16_dp, 'RADIUS -5. turns right')
     call check_matches()
+    call check_cyclic()
     call tap%finish()
 
 contains
@@ -85,7 +88,24 @@ contains
         call tap%ok(allocated(error), 'nor between one point')
     end subroutine check_matches
 
-    !> The arc of a card, which stands second in its line.
+    !> A quarter of the circle about (0, 0) of radius 5 as a C-Bezier curve: its inner poles are K on.
+    subroutine check_cyclic()
+        real(dp) :: at(2), worst
+        integer :: i
+
+        call read('CBEZIER,-5.,0.,-5.,2.85398163397448,-2.85398163397448,5.,0.,5.,90.')
+        call tap%ok(stroke%kind == stroke_kind%cyclic, 'CBEZIER')
+        worst = 0.0_dp
+        do i = 0, 10
+            at = stroke_point(stroke, place_at(0.1_dp*real(i, dp)))
+            worst = max(worst, abs(norm2(at) - 5.0_dp))
+        end do
+        call tap%near(worst, 0.0_dp, 1.0e-13_dp, 'holds a circle')
+        call read('CBEZIER,-5.,0.,-5.,0.,-2.85,5.,0.,5.,90.')
+        call tap%ok(allocated(error), 'poles that are one are refused')
+    end subroutine check_cyclic
+
+    !> The stroke of a card, which stands second in its line.
     subroutine read(card)
         character(*), intent(in) :: card
         type(job_type) :: job
@@ -93,7 +113,9 @@ contains
         call job_of('LINE,A,SIDE|STRAIGHT,-9.,0.,-8.,0.|'//card//'|LINE,B,SIDE,0.', job, faults)
         if (.not. job%body(1)%line(1)%view(view%side)%is_sound) call tap%ok(.false., &
             words_of(faults))
-        call piece_arc(job%body(1)%line(1)%view(view%side)%piece(2), before, arc, error)
+        call piece_stroke(job%body(1)%line(1)%view(view%side)%piece(2), conic_stroke(before), &
+            stroke, error)
+        arc = stroke%arc
     end subroutine read
 
 end program test_piece

@@ -6,7 +6,7 @@ program test_stroke
     use geom_arc, only: arc_through, arc_type, end_type
     use geom_arc_point, only: curvature, point
     use geom_place, only: at_finish, at_shoulder, at_start, place_at
-    use geom_stroke, only: bezier_stroke, conic_stroke, reversed_stroke, stroke_curvature, &
+    use geom_stroke, only: bezier_stroke, conic_stroke, cyclic_stroke, reversed_stroke, stroke_curvature, &
         stroke_part, stroke_place, stroke_point, stroke_tangent, stroke_turn, stroke_type
     use geom_stroke_length, only: stroke_length, stroke_places
     use support_random, only: random_type
@@ -28,6 +28,7 @@ program test_stroke
     call check_turns(tap)
     call check_inverse(tap)
     call check_lengths(tap)
+    call check_cyclic(tap)
     call tap%finish()
 
 contains
@@ -163,6 +164,44 @@ contains
         end block
         call tap%near(worst, 0.0_dp, 1.0e-5_dp, 'places at equal lengths')
     end subroutine check_lengths
+
+    !> A quarter of a unit circle about (1, 0), as a C-Bezier curve.
+    subroutine check_cyclic(tap)
+        type(tap_type), intent(inout) :: tap !! the tally
+        type(stroke_type) :: quarter, part
+        real(dp) :: k, at(2), x, length, worst(3)
+        logical :: turns
+        integer :: i
+
+        k = 2.0_dp*atan(1.0_dp) - 1.0_dp
+        quarter = cyclic_stroke(reshape([0.0_dp, 0.0_dp, 0.0_dp, k, 1.0_dp - k, 1.0_dp, 1.0_dp, &
+            1.0_dp], [2, 4]), 2.0_dp*atan(1.0_dp))
+        worst = 0.0_dp
+        do i = 1, 20
+            x = 0.05_dp*real(i, dp)
+            at = stroke_point(quarter, stroke_place(quarter, x))
+            worst(1) = max(worst(1), norm2(at - [x, sqrt(x*(2.0_dp - x))]))
+            worst(2) = max(worst(2), abs(stroke_curvature(quarter, stroke_place(quarter, x)) + 1.0_dp))
+            at = stroke_tangent(quarter, stroke_place(quarter, x))
+            worst(3) = max(worst(3), abs(at(2) - at(1)*(1.0_dp - x)/sqrt(x*(2.0_dp - x)))/norm2(at))
+        end do
+        call tap%near(worst(1), 0.0_dp, 3.0e-15_dp, 'a circle as a C-Bezier curve')
+        call tap%near(worst(2), 0.0_dp, 1.0e-13_dp, 'its curvature')
+        call tap%near(worst(3), 0.0_dp, 1.0e-14_dp, 'its tangent')
+        call stroke_length(quarter, length, error)
+        call tap%near(length, 2.0_dp*atan(1.0_dp), 1.0e-10_dp, 'its length')
+        part = stroke_part(reversed_stroke(quarter), place_at(0.5_dp), at_finish)
+        call tap%near(norm2(part%start - [1.0_dp - sqrt(0.5_dp), sqrt(0.5_dp)]) &
+            + abs(part%alpha - atan(1.0_dp)), 0.0_dp, 2.0e-15_dp, 'half of it backwards')
+        call stroke_turn(quarter, turns, at)
+        call tap%ok(.not. turns, 'it does not turn back')
+        call stroke_turn(cyclic_stroke(reshape([0.0_dp, 0.0_dp, 2.0_dp, 1.0_dp, -1.0_dp, 1.0_dp, &
+            1.0_dp, 2.0_dp], [2, 4]), 1.0_dp), turns, at)
+        call tap%ok(turns .and. abs(at(2) - 1.0_dp) < 0.3_dp, 'one that does is found in the middle')
+        call stroke_turn(cyclic_stroke(reshape([0.0_dp, 0.0_dp, -0.1_dp, 1.0_dp, 1.0_dp, 1.0_dp, &
+            1.5_dp, 2.0_dp], [2, 4]), 2.0_dp), turns, at)
+        call tap%ok(turns, 'or at its start')
+    end subroutine check_cyclic
 
     !> The length of y = x**2 from 0.
     pure real(dp) function arc_of_square(x) result(length)
