@@ -7,6 +7,7 @@ module export_drawing_cut
     use base_error, only: error_type
     use base_exact, only: is_zero
     use base_kinds, only: dp
+    use base_tolerances, only: agreement_tolerance
     use body_body, only: body_type, mirrored_body
     use cut_outline, only: cut_type, outline_type
     use cut_plane, only: cut_kind, plane_type
@@ -114,7 +115,8 @@ contains
         end do
         do i = 1, count
             if (i == count .and. .not. round%is_closed) cycle
-            call join(last_point(contour%curves(i)), round%noise, contour%curves(mod(i, count) + 1))
+            call join(last_point(contour%curves(i)), max(round%noise, agreement_tolerance), &
+                contour%curves(mod(i, count) + 1))
         end do
         do i = 1, count
             call put_in_space(cut%plane, contour%curves(i))

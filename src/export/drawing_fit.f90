@@ -72,6 +72,11 @@ contains
 
         curve%section = ''
         call sample_curve(path, for_samples*tolerance, sampled)
+        if (sampled%rest > tolerance) then
+            call fail(error, cause%no_convergence, 'a curve can''t be fitted: it jumps by '// &
+                compact(sampled%rest))
+            return
+        end if
         call fit_curve(sampled, for_spline*tolerance, curve%spline, curve%error, worst_t, error)
         if (allocated(error)) return
         curve%worst = path%at(worst_t)

@@ -32,8 +32,8 @@ contains
         gap = norm2(first_point(next) - last_point(curve))
     end function gap_between
 
-    !> Lets a curve begin at a point. What is more than rounding is added to its error, and it is
-    !> then not exact.
+    !> Lets a curve begin at a point. The distance is added to its error; where it is more than
+    !> rounding the curve is then not exact.
     pure subroutine join(at, noise, curve)
         real(dp), intent(in) :: at(:)               !! where, of as many dimensions
         real(dp), intent(in) :: noise               !! what is but rounding, deck units
@@ -43,10 +43,10 @@ contains
         gap = norm2(first_point(curve) - at)
         curve%spline%pole(:, 1) = at
         if (curve%is_conic) curve%arc%start = at(:2)
+        curve%error = curve%error + gap
         if (gap <= noise) return
         curve%is_exact = .false.
         curve%is_conic = .false.
-        curve%error = curve%error + gap
         curve%worst = 0.0_dp
         curve%worst(:size(at)) = at
     end subroutine join

@@ -16,8 +16,9 @@ module export_drawing_sample
 
     !> Degree of the polynomials.
     integer, parameter :: degree = 16
-    !> Panels there may be.
+    !> Panels there may be, and the shortest one that is halved: what is left there is a jump.
     integer, parameter :: most_panels = 256
+    real(dp), parameter :: shortest = 1.0e-9_dp
 
     !> One panel.
     type :: panel_type
@@ -29,6 +30,7 @@ module export_drawing_sample
     !> A curve as samples.
     type, extends(curve_function_type) :: sampled_type
         type(panel_type), allocatable :: panel(:)   !! in order, from 0 to 1
+        real(dp) :: rest = 0.0_dp                   !! largest miss that was found and left
     contains
         procedure :: at => sample_at
     end type sampled_type
@@ -42,6 +44,7 @@ contains
         real(dp), intent(in) :: tolerance               !! deck units
         type(sampled_type), intent(out) :: sampled      !! its samples
         type(panel_type), allocatable :: panel(:)
+        real(dp) :: off
         integer :: count, i
 
         allocate (panel(most_panels))
@@ -49,11 +52,14 @@ contains
         count = 1
         i = 1
         do while (i <= count)
-            if (count < most_panels .and. miss(curve, panel(i)) > tolerance) then
+            off = miss(curve, panel(i))
+            if (off > tolerance .and. count < most_panels .and. &
+                panel(i)%to - panel(i)%from > shortest) then
                 panel(i + 2:count + 1) = panel(i + 1:count)
                 count = count + 1
                 call halve(curve, panel(i), panel(i + 1))
             else
+                sampled%rest = max(sampled%rest, off)
                 i = i + 1
             end if
         end do
