@@ -137,7 +137,7 @@ def section(shape, points):
         return None
     cut = BRepAlgoAPI_Section(shape, plane, False)
     cut.ComputePCurveOn1(False)
-    cut.Approximation(False)
+    cut.Approximation(True)
     cut.Build()
     return cut.Shape()
 
