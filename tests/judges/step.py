@@ -96,9 +96,11 @@ def children(shape):
 
 
 def curve_sets(shape):
-    """The compounds of curves that are all of a product, one for each set of curves."""
-    return [part for group in children(shape) if group.ShapeType() == TopAbs_COMPOUND
-            for part in children(group) if part.ShapeType() == TopAbs_COMPOUND]
+    """The compounds that are of no others, in order: one for each set of curves."""
+    groups = [part for part in children(shape) if part.ShapeType() == TopAbs_COMPOUND]
+    if shape.ShapeType() == TopAbs_COMPOUND and not groups:
+        return [shape]
+    return [found for group in groups for found in curve_sets(group)]
 
 
 def complaints(reader):
