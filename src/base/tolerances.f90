@@ -41,8 +41,8 @@ module base_tolerances
     !> than slopes and angles of four figures do, less than can be seen in the skin. Degrees.
     real(dp), parameter, public :: tangency_tolerance = 1.0e-2_dp
     !> What a STEP file says of how far vertices, edges and faces that meet may be apart, in the
-    !> unit of the file. They meet but for rounding, whatever the skin's distance from the exact one is;
-    !> readers that are told more look less closely, and move edges by as much.
+    !> unit of the file. They meet but for rounding, whatever the skin's distance from the exact
+    !> one is; readers that are told more look less closely, and move edges by as much.
     real(dp), parameter, public :: step_tolerance = 1.0e-7_dp
 
 end module base_tolerances
