@@ -2,19 +2,20 @@
 # Installs the outside judges of exported files into a virtual environment of Python's: the CAD
 # kernel OpenCASCADE, ezdxf and trimesh, with versions as tests/judges/requirements.txt has them.
 #     deps-test.sh FOLDER
-# Python's venv and the PDF tools of poppler come by apt-get, as root or, with DEPS=yes, through sudo;
-# otherwise the line to type is printed and the status is 1. Where nothing is missing it says nothing
-# and needs no network.
+# Python's venv and what renders PDF and SVG come by apt-get, as root or, with DEPS=yes, through
+# sudo; otherwise the line to type is printed and the status is 1. Where nothing is missing it says
+# nothing and needs no network.
 
 venv=${1:?the folder of the virtual environment}
 wanted=tests/judges/requirements.txt
-apt='apt-get install -y --no-install-recommends python3 python3-venv poppler-utils'
+apt='apt-get install -y --no-install-recommends python3 python3-venv poppler-utils librsvg2-bin'
 
 has() { command -v "$1" > /dev/null 2>&1; }
 
 missing=
 has python3 && python3 -c 'import venv, ensurepip' 2> /dev/null || missing="$missing python3-venv"
 has pdftoppm || missing="$missing poppler-utils"
+has rsvg-convert || missing="$missing librsvg2-bin"
 if [ -n "$missing" ]; then
     echo "The judges need, and this machine lacks:$missing" >&2
     sudo=sudo

@@ -42,3 +42,15 @@ exported() {
     [ "$status" = 0 ] || [ "$status" = 1 ]
     ok $? "$deck is exported as $file${*:+ $*}" "status $status, $(cat "$work/trouble")"
 }
+
+# Millimetres of the unit of a deck: millimetres DECK
+millimetres() {
+    case $(sed -n 's/^UNITS[ ,]*\([A-Z]*\).*/\1/p' "$1") in
+        MM) echo 1 ;;
+        FEET) echo 304.8 ;;
+        *) echo 25.4 ;;
+    esac
+}
+
+# A measure of a listing of loft run: measure 'WETTED AREA' FILE
+measure() { sed -n "s/^$1  *\([0-9.]*\) .*/\1/p" "$2"; }
