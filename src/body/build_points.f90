@@ -22,8 +22,8 @@ module body_build_points
 
 contains
 
-    !> Builds the chain of a view that is given by points. What is wrong is said of the card: too few
-    !> points, points that are one, a line that turns back in STA.
+    !> Builds the chain of a view that is given by points. What is wrong is said of the card: too
+    !> few points, points that are one, a line that turns back in STA.
     pure subroutine build_points(given, gap, chain, faults)
         type(view_type), intent(in) :: given                    !! `origin%spline` or `%bezier`
         real(dp), intent(in) :: gap                             !! largest gap, deck units
@@ -125,8 +125,8 @@ contains
 
         last = size(given%piece)
         if (last < 2) then
-            call blame(given%piece(last)%card, 1, 'a Bezier curve of one pole; it takes at least 2', &
-                faults)
+            call blame(given%piece(last)%card, 1, &
+                'a Bezier curve of one pole; it takes at least 2', faults)
         else if (last > most_poles) then
             call blame(given%piece(most_poles + 1)%card, 1, 'more than '//to_text(most_poles)// &
                 ' poles; take a SPLINE, which follows its points', faults)

@@ -128,7 +128,7 @@ module deck_job
         type(piece_type), allocatable :: piece(:)   !! from first to last
         integer :: line = 0                         !! the line it is taken from
         type(decimal_type) :: constant              !! the ordinate, deck units or degrees
-        logical :: is_uniform = .false.             !! spline: its parameter is 1 from point to point
+        logical :: is_uniform = .false.             !! spline: 1 in its parameter between points
         logical :: is_sound = .false.               !! none of its cards was in error
         type(card_type) :: card                     !! its LINE card
     end type view_type

@@ -31,7 +31,7 @@ contains
     end function bezier_point
 
     !> The point at a parameter and its first two derivatives, from the last rows of de Casteljau's
-    !> scheme: C' = n (P1 - P0) of the row of two, C'' = n (n - 1) (P2 - 2 P1 + P0) of that of three.
+    !> scheme: C' = n (P1 - P0) of the row of two, C'' = n (n - 1) (P2 - 2 P1 + P0) before it.
     pure subroutine bezier_jet(pole, t, point, first, second)
         real(dp), intent(in) :: pole(:, :)      !! of one or more poles
         real(dp), intent(in) :: t               !! 0 to 1

@@ -12,7 +12,8 @@ module geom_chain
     use geom_jet, only: jet_type
     use geom_place, only: place_type
     use geom_stroke, only: conic_stroke, reversed_stroke, stroke_curvature, stroke_place, &
-        stroke_point, stroke_tangent, stroke_turn, stroke_type
+        stroke_point, stroke_tangent, stroke_type
+    use geom_stroke_turn, only: stroke_turn
     use geom_vector, only: at_text
     implicit none (type, external)
     private
@@ -95,8 +96,8 @@ contains
         chain%constant = value
     end subroutine constant_chain
 
-    !> Fails with `cause%not_single_valued` where a stroke that runs towards greater x does not do so
-    !> all the way.
+    !> Fails with `cause%not_single_valued` where a stroke that runs towards greater x does not do
+    !> so all the way.
     pure subroutine check_single_valued(stroke, error)
         type(stroke_type), intent(in) :: stroke             !! finish not before start
         type(error_type), allocatable, intent(out) :: error !! see above
@@ -110,8 +111,9 @@ contains
         end if
         call stroke_turn(stroke, turns, turn)
         if (turns) call fail(error, cause%not_single_valued, 'the arc from '// &
-            at_text(stroke%start)//' to '//at_text(stroke%finish)//' turns past the vertical at '// &
-            at_text(turn)//' and has two ordinates there; end it where it is vertical')
+            at_text(stroke%start)//' to '//at_text(stroke%finish)// &
+            ' turns past the vertical at '//at_text(turn)//' and has two ordinates there; '// &
+            'end it where it is vertical')
     end subroutine check_single_valued
 
     !> Fails with `cause%joint_gap` where two strokes do not meet in x.

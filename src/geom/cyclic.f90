@@ -1,5 +1,5 @@
-!> Cubic C-Bezier curves: four poles with a basis of 1, t, sin t and cos t over 0 to alpha in place of
-!> the powers of t. Towards alpha = 0 they are Bezier cubics; larger ones hold arcs of circles
+!> Cubic C-Bezier curves: four poles with a basis of 1, t, sin t and cos t over 0 to alpha in place
+!> of the powers of t. Towards alpha = 0 they are Bezier cubics; larger ones hold arcs of circles
 !> exactly, and lead from a line to a circle with a curvature that only grows.
 !>
 !> With S = sin alpha, C = cos alpha, K = (alpha - S)/(1 - C), M = S/(alpha - 2 K), u = alpha - t:

@@ -1,5 +1,5 @@
-!> Where two strokes meet: how position, direction and curvature jump; and the arc that begins or ends
-!> with a given curvature, so that there is no jump.
+!> Where two strokes meet: how position, direction and curvature jump; and the arc that begins or
+!> ends with a given curvature, so that there is no jump.
 !>
 !> With l1 the way from the start to the intersection of the end tangents, l3 that from there to
 !> the finish, h half the chord and w the weight, the curvatures of an arc at its ends are

@@ -30,17 +30,21 @@ program test_ledger
         'a tighter circle bends more, unbroken')
     call tap%same(joint_words(joint), 'slope goes on, curvature jumps from -0.2 to -0.5', &
         'which is said')
-    joint = joint_between(conic_stroke(five), conic_stroke(line_between([5.0_dp, 5.0_dp], [6.0_dp, 6.0_dp])))
+    joint = joint_between(conic_stroke(five), &
+        conic_stroke(line_between([5.0_dp, 5.0_dp], [6.0_dp, 6.0_dp])))
     call tap%same(joint_words(joint), 'slope breaks by 45. degrees', 'so is a break')
     joint%is_knuckle = .true.
     call tap%same(joint_words(joint), 'slope breaks by 45. degrees, a knuckle', 'and a knuckle')
-    joint = joint_between(conic_stroke(five), conic_stroke(line_between([5.0_dp, 5.001_dp], [6.0_dp, 5.001_dp])))
+    joint = joint_between(conic_stroke(five), &
+        conic_stroke(line_between([5.0_dp, 5.001_dp], [6.0_dp, 5.001_dp])))
     call tap%same(joint_words(joint), &
         'the ends are 0.001 apart, slope goes on, curvature jumps from '// &
         '-0.2 to 0.', 'and a gap')
-    joint = joint_between(conic_stroke(five), conic_stroke(line_between([5.0_dp, 5.0_dp], [6.0_dp, 5.0000099_dp])))
+    joint = joint_between(conic_stroke(five), &
+        conic_stroke(line_between([5.0_dp, 5.0_dp], [6.0_dp, 5.0000099_dp])))
     call tap%ok(.not. is_broken(joint), 'slopes .0000099 apart are rounded')
-    joint = joint_between(conic_stroke(five), conic_stroke(line_between([5.0_dp, 5.0_dp], [6.0_dp, 5.0000101_dp])))
+    joint = joint_between(conic_stroke(five), &
+        conic_stroke(line_between([5.0_dp, 5.0_dp], [6.0_dp, 5.0000101_dp])))
     call tap%ok(is_broken(joint), 'slopes .0000101 apart break')
     joint = joint_between(conic_stroke(line_between([4.0_dp, 5.0_dp], [5.0_dp, 5.0_dp])), &
         conic_stroke(line_between([5.0_dp, 5.0_dp], [6.0_dp, 5.0_dp])))

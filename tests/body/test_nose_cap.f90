@@ -33,7 +33,8 @@ program test_nose_cap
     call cap_and_rest(nose, view%side, chain, strokes, error)
     call tap%ok(size(strokes) == 2 .and. strokes(2)%arc%is_line, 'before a straight rest')
     call tap%ok(all(strokes(1)%arc%finish == [116.0_dp, 17.0_dp]), 'they share the blend')
-    call tap%near(weight(strokes(1)%arc), cos(0.5_dp*acos(0.6_dp)), good, 'it is the arc of a circle')
+    call tap%near(weight(strokes(1)%arc), cos(0.5_dp*acos(0.6_dp)), good, &
+        'it is the arc of a circle')
     call tap%near(curvature(strokes(1)%arc, at_start), -1.0_dp/15.0_dp, good, 'of that radius')
     call tap%near(curvature(strokes(1)%arc, at_finish), -1.0_dp/15.0_dp, good, 'all the way')
     call put_cap(nose, view%side, 0.0_dp, chain, error)
@@ -48,7 +49,8 @@ program test_nose_cap
     call tap%ok(chain%is_constant, 'a constant on the axis stays')
     chain = straight_view([90.0_dp, 5.0_dp], [180.0_dp, 5.0_dp])
     call put_cap(nose, view%side, 0.0_dp, chain, error)
-    call tap%ok(all(chain%knot == [110.0_dp, 116.0_dp, 180.0_dp]) .and. chain%stroke(1)%arc%is_line, &
+    call tap%ok(all(chain%knot == [110.0_dp, 116.0_dp, 180.0_dp]) .and. &
+        chain%stroke(1)%arc%is_line, &
         'a line on it stays straight')
 
     chain = straight_view([110.0_dp, 5.0_dp], [180.0_dp, 75.0_dp])
@@ -72,7 +74,8 @@ program test_nose_cap
     chain = conic_view(end_type([0.0_dp, 0.0_dp], [1.0_dp, 0.5_dp]), [20.0_dp, 8.0_dp], &
         end_type([40.0_dp, 12.0_dp], [1.0_dp, 0.1_dp]))
     call cap_and_rest(nose, view%plan, chain, strokes, error)
-    call tap%near(curvature(strokes(1)%arc, at_start), -1.0_dp/(15.0_dp*(6.72_dp/12.0_dp)**2), good, &
+    call tap%near(curvature(strokes(1)%arc, at_start), &
+        -1.0_dp/(15.0_dp*(6.72_dp/12.0_dp)**2), good, &
         'a curved line gets the radius of its share')
     call tap%ok(strokes(1)%arc%start_tangent(1) == 0.0_dp .and. &
         strokes(1)%arc%start_tangent(2) > 0.0_dp, 'upright')

@@ -88,7 +88,7 @@ contains
         call tap%ok(allocated(error), 'nor between one point')
     end subroutine check_matches
 
-    !> A quarter of the circle about (0, 0) of radius 5 as a C-Bezier curve: its inner poles are K on.
+    !> A quarter of the circle of radius 5 as a C-Bezier curve: its inner poles are K on.
     subroutine check_cyclic()
         real(dp) :: at(2), worst
         integer :: i

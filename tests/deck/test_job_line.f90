@@ -179,8 +179,8 @@ contains
         call tap%same(faults_of('LINE,A,SIDE,SPLINE|0,0,CLAMP|3,4'), &
             '2:5-9 error: END is a slope, FREE or PARABOLA|', 'an end of no kind')
         call tap%same(faults_of('LINE,A,SIDE,BEZIER|0,0,.5|3,4'), &
-            '2:5-6 error: a pole has no slope; the curve begins and ends along the sides of its '// &
-            'polygon|', 'a pole with a slope')
+            '2:5-6 error: a pole has no slope; the curve begins and ends along the sides of '// &
+            'its polygon|', 'a pole with a slope')
         call tap%same(faults_of('LINE,A,SIDE,SPLINE|0,0|RHO,1,1,1,2,2,1,.5'), &
             '3:1-3 error: a conic under a LINE by points; a composite line is given by conics '// &
             'alone|', 'a conic among points')

@@ -15,7 +15,8 @@ program test_circular
     integer :: i
 
     arc = circular_between([0.0_dp, 0.0_dp], 0.0_dp, [0.0_dp, 2.0_dp])
-    call tap%near(norm2(arc%centre - [0.0_dp, 1.0_dp]), 0.0_dp, 1.0e-15_dp, 'half a turn to the left')
+    call tap%near(norm2(arc%centre - [0.0_dp, 1.0_dp]), 0.0_dp, 1.0e-15_dp, &
+        'half a turn to the left')
     call tap%near(arc%radius, 1.0_dp, 1.0e-15_dp, 'has a positive radius')
     call tap%near(leaving(arc), pi, 1.0e-15_dp, 'and comes back the other way')
     arc = circular_between([0.0_dp, 0.0_dp], 0.0_dp, [1.0_dp, -1.0_dp])

@@ -1,4 +1,4 @@
-!> C-Bezier curves: figures worked out in 2026 from the formulas of the module's head with 50 digits,
+!> C-Bezier curves: figures worked out from the formulas of the module's head with 50 digits,
 !> 128-bit reals for small angles, arcs of circles, parts.
 program test_cyclic
     use, intrinsic :: iso_fortran_env, only: real128
@@ -63,7 +63,8 @@ contains
         limit = 0.0_dp
         do i = 0, 10
             s = 0.1_dp*real(i, dp)
-            limit = max(limit, norm2(cyclic_point(polygon, 1.0e-5_dp, s) - bezier_point(polygon, s)))
+            limit = max(limit, &
+                norm2(cyclic_point(polygon, 1.0e-5_dp, s) - bezier_point(polygon, s)))
         end do
         call tap%near(limit, 0.0_dp, 1.0e-10_dp, 'towards none it is a Bezier cubic')
     end subroutine check_small

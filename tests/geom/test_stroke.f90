@@ -6,9 +6,8 @@ program test_stroke
     use geom_arc, only: arc_through, arc_type, end_type
     use geom_arc_point, only: curvature, point
     use geom_place, only: at_finish, at_shoulder, at_start, place_at
-    use geom_stroke, only: bezier_stroke, conic_stroke, cyclic_stroke, reversed_stroke, stroke_curvature, &
-        stroke_part, stroke_place, stroke_point, stroke_tangent, stroke_turn, stroke_type
-    use geom_stroke_length, only: stroke_length, stroke_places
+    use geom_stroke, only: bezier_stroke, conic_stroke, cyclic_stroke, reversed_stroke, &
+        stroke_curvature, stroke_part, stroke_place, stroke_point, stroke_tangent, stroke_type
     use support_random, only: random_type
     use support_tap, only: tap_type
     implicit none (type, external)
@@ -25,9 +24,7 @@ program test_stroke
     conic = conic_stroke(arc)
     call check_parabola(tap)
     call check_vertical(tap)
-    call check_turns(tap)
     call check_inverse(tap)
-    call check_lengths(tap)
     call check_cyclic(tap)
     call tap%finish()
 
@@ -59,7 +56,8 @@ contains
         call tap%near(norm2(stroke_point(conic, at_shoulder) - point(arc, at_shoulder)), 0.0_dp, &
             0.0_dp, 'and points')
         part = stroke_part(reversed_stroke(parabola), place_at(0.25_dp), at_finish)
-        call tap%near(norm2(part%start - [2.5_dp, 6.25_dp]) + norm2(part%finish - [1.0_dp, 1.0_dp]), &
+        call tap%near(norm2(part%start - [2.5_dp, 6.25_dp]) &
+            + norm2(part%finish - [1.0_dp, 1.0_dp]), &
             0.0_dp, 1.0e-15_dp, 'a part of it backwards')
         part = stroke_part(reversed_stroke(conic), place_at(0.25_dp), at_finish)
         call tap%near(norm2(part%start - [2.5_dp, 6.25_dp]), 0.0_dp, 1.0e-15_dp, 'and of the conic')
@@ -83,33 +81,6 @@ contains
         call tap%ok(all(stroke_tangent(reversed_stroke(root), at_finish) < 0.0_dp), &
             'backwards it points backwards')
     end subroutine check_vertical
-
-    !> Strokes that turn back.
-    subroutine check_turns(tap)
-        type(tap_type), intent(inout) :: tap !! the tally
-        real(dp) :: at(2)
-        logical :: turns
-
-        call stroke_turn(parabola, turns, at)
-        call tap%ok(.not. turns, 'a parabola over x does not turn back')
-        ! x = 3 t - 3 t**2 + t**3 rises with x' = 3 (1 - t)**2, zero at the end.
-        call stroke_turn(bezier_stroke(reshape([0.0_dp, 0.0_dp, 1.0_dp, 0.0_dp, 1.0_dp, 1.0_dp, &
-            1.0_dp, 2.0_dp], [2, 4])), turns, at)
-        call tap%ok(.not. turns, 'nor does a curve that ends vertical')
-        ! x' = 3 (2 t - 1)**2: it stands still in the middle.
-        call stroke_turn(bezier_stroke(reshape([0.0_dp, 0.0_dp, 1.0_dp, 0.0_dp, 0.0_dp, 1.0_dp, &
-            1.0_dp, 2.0_dp], [2, 4])), turns, at)
-        call tap%ok(.not. turns, 'nor one that is vertical in the middle')
-        call stroke_turn(bezier_stroke(reshape([0.0_dp, 0.0_dp, 1.0_dp, 0.0_dp, -0.01_dp, 1.0_dp, &
-            1.0_dp, 2.0_dp], [2, 4])), turns, at)
-        call tap%ok(turns .and. abs(at(2) - 0.75_dp) < 0.2_dp, 'a little more and it turns')
-        call stroke_turn(bezier_stroke(reshape([0.0_dp, 0.0_dp, -1.0_dp, 1.0_dp, 1.0_dp, 2.0_dp], &
-            [2, 3])), turns, at)
-        call tap%ok(turns .and. norm2(at) <= 0.0_dp, 'a start the wrong way is a turn there')
-        call stroke_turn(bezier_stroke(reshape([0.0_dp, 0.0_dp, 2.0_dp, 1.0_dp, 1.0_dp, 2.0_dp], &
-            [2, 3])), turns, at)
-        call tap%ok(turns, 'so is an end')
-    end subroutine check_turns
 
     !> Places of any x on curves of degree 1 to 9.
     subroutine check_inverse(tap)
@@ -137,40 +108,11 @@ contains
         call tap%near(worst, 0.0_dp, 1.0e-13_dp, 'the place of an x is at that x')
     end subroutine check_inverse
 
-    !> Lengths in closed form.
-    subroutine check_lengths(tap)
-        type(tap_type), intent(inout) :: tap !! the tally
-        type(stroke_type) :: stroke
-        real(dp) :: length, at(2), apart(2), worst
-        integer :: i
-
-        call stroke_length(parabola, length, error)
-        call tap%near(length, arc_of_square(3.0_dp) - arc_of_square(1.0_dp), 1.0e-10_dp, &
-            'the length of a parabola')
-        call stroke_length(conic, length, error)
-        call tap%near(length, arc_of_square(3.0_dp) - arc_of_square(1.0_dp), 1.0e-10_dp, &
-            'and of the conic')
-        stroke = parabola
-        worst = 0.0_dp
-        block
-            use geom_place, only: place_type
-            type(place_type), allocatable :: places(:)
-            call stroke_places(stroke, 9, places, error)
-            do i = 1, 9
-                at = stroke_point(stroke, places(i))
-                apart = [arc_of_square(at(1)) - arc_of_square(1.0_dp), length*real(i - 1, dp)/8.0_dp]
-                worst = max(worst, abs(apart(1) - apart(2)))
-            end do
-        end block
-        call tap%near(worst, 0.0_dp, 1.0e-5_dp, 'places at equal lengths')
-    end subroutine check_lengths
-
     !> A quarter of a unit circle about (1, 0), as a C-Bezier curve.
     subroutine check_cyclic(tap)
         type(tap_type), intent(inout) :: tap !! the tally
         type(stroke_type) :: quarter, part
-        real(dp) :: k, at(2), x, length, worst(3)
-        logical :: turns
+        real(dp) :: k, at(2), x, worst(3)
         integer :: i
 
         k = 2.0_dp*atan(1.0_dp) - 1.0_dp
@@ -181,32 +123,17 @@ contains
             x = 0.05_dp*real(i, dp)
             at = stroke_point(quarter, stroke_place(quarter, x))
             worst(1) = max(worst(1), norm2(at - [x, sqrt(x*(2.0_dp - x))]))
-            worst(2) = max(worst(2), abs(stroke_curvature(quarter, stroke_place(quarter, x)) + 1.0_dp))
+            worst(2) = max(worst(2), &
+                abs(stroke_curvature(quarter, stroke_place(quarter, x)) + 1.0_dp))
             at = stroke_tangent(quarter, stroke_place(quarter, x))
             worst(3) = max(worst(3), abs(at(2) - at(1)*(1.0_dp - x)/sqrt(x*(2.0_dp - x)))/norm2(at))
         end do
         call tap%near(worst(1), 0.0_dp, 3.0e-15_dp, 'a circle as a C-Bezier curve')
         call tap%near(worst(2), 0.0_dp, 1.0e-13_dp, 'its curvature')
         call tap%near(worst(3), 0.0_dp, 1.0e-14_dp, 'its tangent')
-        call stroke_length(quarter, length, error)
-        call tap%near(length, 2.0_dp*atan(1.0_dp), 1.0e-10_dp, 'its length')
         part = stroke_part(reversed_stroke(quarter), place_at(0.5_dp), at_finish)
         call tap%near(norm2(part%start - [1.0_dp - sqrt(0.5_dp), sqrt(0.5_dp)]) &
             + abs(part%alpha - atan(1.0_dp)), 0.0_dp, 2.0e-15_dp, 'half of it backwards')
-        call stroke_turn(quarter, turns, at)
-        call tap%ok(.not. turns, 'it does not turn back')
-        call stroke_turn(cyclic_stroke(reshape([0.0_dp, 0.0_dp, 2.0_dp, 1.0_dp, -1.0_dp, 1.0_dp, &
-            1.0_dp, 2.0_dp], [2, 4]), 1.0_dp), turns, at)
-        call tap%ok(turns .and. abs(at(2) - 1.0_dp) < 0.3_dp, 'one that does is found in the middle')
-        call stroke_turn(cyclic_stroke(reshape([0.0_dp, 0.0_dp, -0.1_dp, 1.0_dp, 1.0_dp, 1.0_dp, &
-            1.5_dp, 2.0_dp], [2, 4]), 2.0_dp), turns, at)
-        call tap%ok(turns, 'or at its start')
     end subroutine check_cyclic
-
-    !> The length of y = x**2 from 0.
-    pure real(dp) function arc_of_square(x) result(length)
-        real(dp), intent(in) :: x !! where to
-        length = 0.5_dp*x*sqrt(1.0_dp + 4.0_dp*x**2) + 0.25_dp*asinh(2.0_dp*x)
-    end function arc_of_square
 
 end program test_stroke

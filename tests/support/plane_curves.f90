@@ -2,7 +2,7 @@
 module support_plane_curves
     use base_constants, only: pi
     use base_kinds, only: dp
-    use geom_arc_chain, only: plane_curve_type
+    use geom_plane_curve, only: plane_curve_type
     implicit none (type, external)
     private
 
