@@ -229,6 +229,7 @@ contains
         if (request%units == '') then
             request%units = deck_units
             if (request%format == 'nc' .and. deck_units == 'FEET') request%units = 'INCHES'
+            if (request%format == 'csv') request%units = 'M'
         end if
         call find_unit(deck_units, of_deck, error)
         if (.not. allocated(error)) call find_unit(request%units, of_file, error)

@@ -8,6 +8,7 @@ module app_export_write
     use base_kinds, only: dp
     use base_output, only: output_type
     use base_text, only: to_text
+    use export_cpacs, only: write_cpacs
     use export_drawing_name, only: safe_name
     use export_drawing_scale, only: scaled_drawing
     use export_dxf, only: write_dxf
@@ -207,7 +208,7 @@ contains
     !>
     !> Fails where networks can't be made.
     subroutine write_sections(request, parts, out, receipt, error)
-        type(request_type), intent(in) :: request           !! HRM or WGS
+        type(request_type), intent(in) :: request           !! HRM, WGS or CSV
         type(parts_type), intent(in) :: parts               !! the bodies, the stations
         type(output_type), intent(inout) :: out             !! where it goes
         type(receipt_type), intent(inout) :: receipt        !! gets what is in it
@@ -220,7 +221,7 @@ contains
             call tell_progress('sections of body '//to_text(i)//' of '// &
                 to_text(size(parts%bodies)))
             call build_networks(parts%bodies(i), stations_for(request, parts, i), &
-                deck_settings(request), request%format == 'hrm', of_body, error)
+                deck_settings(request), request%format /= 'wgs', of_body, error)
             if (allocated(error)) return
             do k = 1, size(of_body%list)
                 of_body%list(k)%name = safe_name(name_in(parts, i, of_body%list(k)%name))
@@ -231,11 +232,14 @@ contains
         networks%deck = parts%drawing%deck
         networks%title = parts%drawing%title
         call scale_networks(networks, parts%factor, request%units)
-        if (request%format == 'hrm') then
+        select case (request%format)
+        case ('hrm')
             call write_hrm(networks, out, receipt)
-        else
+        case ('wgs')
             call write_wgs(networks, out, receipt)
-        end if
+        case default
+            call write_cpacs(networks, out, receipt, error)
+        end select
     end subroutine write_sections
 
     !> The stations at which a body is cut for design tools: those of the deck, or none where they

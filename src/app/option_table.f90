@@ -14,7 +14,7 @@ module app_option_table
         character(48) :: words      !! what it may be, where its kind is `words` or `paper`; what a
                                     !! number is of
         character(26) :: commands   !! the commands that take it
-        character(32) :: formats    !! the files of `export` it matters to; blank: all
+        character(40) :: formats    !! the files of `export` it matters to; blank: all
     end type option_layout_type
 
     !> All of them.
@@ -29,7 +29,8 @@ module app_option_table
         option_layout_type('-o', 'path', '', 'run plot export', ''), &
         option_layout_type('--help', 'flag', '', 'run check plot export help', ''), &
         option_layout_type('--tolerance', 'positive', 'in deck units', 'export', ''), &
-        option_layout_type('--units', 'words', 'in mm ft m', 'export', ''), &
+        option_layout_type('--units', 'words', 'in mm ft m', 'export', &
+            'svg pdf dxf iges step stl obj nc hrm wgs'), &
         option_layout_type('--cut', 'text', '', 'export', 'svg pdf dxf iges step nc'), &
         option_layout_type('--sheet', 'words', 'each all', 'export', 'svg pdf'), &
         option_layout_type('--paper', 'paper', 'a4 letter a3 tabloid roll', 'export', 'svg pdf'), &
@@ -41,7 +42,7 @@ module app_option_table
         option_layout_type('--3d', 'flag', '', 'export', 'dxf'), &
         option_layout_type('--iges-conics', 'flag', '', 'export', 'iges'), &
         option_layout_type('--angle', 'positive', 'of degrees', 'export', &
-            'stl obj hrm wgs'), &
+            'stl obj hrm wgs csv'), &
         option_layout_type('--binary', 'flag', '', 'export', 'stl'), &
         option_layout_type('--open', 'flag', '', 'export', 'iges step stl obj'), &
         option_layout_type('--feed', 'positive', 'of units of the file a minute', 'export', &

@@ -96,9 +96,11 @@ contains
         call refused('export|a|-o|b.step|--paper|a4', &
             '--paper does not go with step, but with: svg pdf', 'STEP on paper')
         call refused('export|a|-o|b.dxf|--angle|1', &
-            '--angle does not go with dxf, but with: stl obj hrm wgs', 'an angle of curves')
+            '--angle does not go with dxf, but with: stl obj hrm wgs csv', 'an angle of curves')
         call refused('export|a|-o|b.obj|--binary', '--binary does not go with obj, but with: stl', &
             'a binary OBJ')
+        call refused('export|a|-o|b.csv|--units|m', '--units does not go with csv', &
+            'a unit of CPACS, which has but one')
         call refused('export|a|-o|b.stl|--cut|1', &
             '--cut does not go with stl, but with: svg pdf dxf iges step nc', 'cuts of a mesh')
     end subroutine check_formats
@@ -144,6 +146,7 @@ contains
             'MM', [25.4_dp, 50.8_dp, 5.0_dp])
         call settles('a.stl', 'INCHES', 'INCHES', [1.0e-2_dp, 6.0_dp, 0.5_dp])
         call settles('a.obj|--tolerance|.001', 'MM', 'MM', [1.0e-3_dp, 150.0_dp, 12.0_dp])
+        call settles('a.csv', 'MM', 'M', [2.5e-5_dp, 0.15_dp, 0.012_dp])
         call settles('a.nc', 'FEET', 'INCHES', [9.6e-4_dp, 6.0_dp, 0.5_dp])
     end subroutine check_defaults
 
