@@ -38,7 +38,7 @@ contains
         shape%number = number
         shape%plane = buttock_plane(level_of(line))
         if (.not. line%has_side .or. .not. line%from < line%to) return
-        if (line%to - line%from > huge(1.0_dp)) return
+        if (max(-line%from, line%to) >= huge(1.0_dp)) return
         allocate (stops(0))
         stops = stops_of(line)
         allocate (curves(size(stops) - 1))
