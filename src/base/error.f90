@@ -27,6 +27,8 @@ module base_error
         integer :: no_convergence = 21     !! an iteration did not reach its tolerance
         integer :: checks_off = 22         !! solved, but its solution misses the conditions
         integer :: too_few = 23            !! fewer points than the curve takes
+        integer :: bad_weight = 24         !! a weight below zero, or a share not from 0 to 1
+        integer :: no_area = 25            !! an area that a faired curve can't enclose
         integer :: overflow = 30           !! exponent overflow of a System/360 number
         integer :: underflow = 31          !! exponent underflow of a System/360 number
         integer :: divide = 32             !! division by zero in System/360 arithmetic

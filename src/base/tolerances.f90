@@ -44,5 +44,11 @@ module base_tolerances
     !> unit of the file. They meet but for rounding, whatever the skin's distance from the exact
     !> one is; readers that are told more look less closely, and move edges by as much.
     real(dp), parameter, public :: step_tolerance = 1.0e-7_dp
+    !> How near the area of a faired curve comes to the area asked: relative. What is promised is
+    !> 1e-10; a step of Newton's more costs nothing.
+    real(dp), parameter, public :: area_tolerance = 1.0e-12_dp
+    !> Relative width of the bracket in which the critical multiplier of a faired curve is found,
+    !> and how much of it may be used: beyond, the curve is all bulges.
+    real(dp), parameter, public :: critical_tolerance = 1.0e-9_dp, critical_share = 0.999_dp
 
 end module base_tolerances

@@ -2,7 +2,7 @@
 !>
 !> Source: E. Anderson et al., "LAPACK Users' Guide", 3rd ed., SIAM 1999, DGESVX: equilibration,
 !> elimination with pivoting, iterative refinement, estimate of the condition; DGBSV: elimination
-!> with pivoting in a band.
+!> with pivoting in a band; ZPBSV: Cholesky's factors of a Hermitian band.
 module geom_lapack
     use base_error, only: cause, error_type, fail
     use base_kinds, only: dp
@@ -10,7 +10,7 @@ module geom_lapack
     implicit none (type, external)
     private
 
-    public :: solve, solve_banded
+    public :: solve, solve_banded, solve_hermitian
 
     interface
         !> LAPACK's expert driver for a general system; names and meanings are LAPACK's.
@@ -57,6 +57,21 @@ module geom_lapack
             real(dp), intent(inout) :: b(ldb, *)      !! right-hand sides, then solutions
             integer, intent(out) :: info              !! 0; 1 to n: exactly singular
         end subroutine dgbsv
+
+        !> LAPACK's driver for a Hermitian positive definite band; names and meanings are LAPACK's.
+        pure subroutine zpbsv(uplo, n, kd, nrhs, ab, ldab, b, ldb, info)
+            import :: dp
+            implicit none (type, external)
+            character, intent(in) :: uplo             !! U: ab holds the upper half
+            integer, intent(in) :: n                  !! order
+            integer, intent(in) :: kd                 !! diagonals above the main one
+            integer, intent(in) :: nrhs               !! right-hand sides
+            integer, intent(in) :: ldab               !! leading dimension of ab
+            integer, intent(in) :: ldb                !! leading dimension of b
+            complex(dp), intent(inout) :: ab(ldab, *) !! the diagonals, the main one last
+            complex(dp), intent(inout) :: b(ldb, *)   !! right-hand sides, then solutions
+            integer, intent(out) :: info              !! 0; 1 to n: not positive definite
+        end subroutine zpbsv
     end interface
 
 contains
@@ -117,5 +132,27 @@ contains
         call fail(error, cause%singular, 'the banded system of '//to_text(n)// &
             ' equations has no unique solution')
     end subroutine solve_banded
+
+    !> Solves systems `a x = b` of one Hermitian matrix that is zero off a band: `a(i, j)` of its
+    !> upper half stands in `band(above + 1 + i - j, j)`, `above` being the diagonals above the main
+    !> one.
+    !>
+    !> Fails with `cause%singular` where the matrix is not positive definite; `x` is zero then.
+    pure subroutine solve_hermitian(band, x, error)
+        complex(dp), intent(in) :: band(:, :)               !! shape (above + 1, n)
+        complex(dp), intent(inout) :: x(:, :)               !! b, then x; shape (n, systems)
+        type(error_type), allocatable, intent(out) :: error !! see above
+        complex(dp) :: factors(size(band, 1), size(band, 2))
+        integer :: n, rows, info
+
+        n = size(band, 2)
+        rows = size(band, 1)
+        factors = band
+        call zpbsv('U', n, rows - 1, size(x, 2), factors, rows, x, n, info)
+        if (info == 0) return
+        x = (0.0_dp, 0.0_dp)
+        call fail(error, cause%singular, 'the Hermitian system of '//to_text(n)// &
+            ' equations is not positive definite')
+    end subroutine solve_hermitian
 
 end module geom_lapack

@@ -2,13 +2,14 @@
 program test_lapack
     use base_error, only: cause, error_type
     use base_kinds, only: dp
-    use geom_lapack, only: solve, solve_banded
+    use geom_lapack, only: solve, solve_banded, solve_hermitian
     use support_tap, only: tap_type
     implicit none (type, external)
 
     type(tap_type) :: tap
     type(error_type), allocatable :: error
     real(dp) :: band(4, 5), both(5, 2), a(2, 2), hilbert(4, 4), x(2), y(4), rcond
+    complex(dp) :: hermitian(2, 3), z(3, 1)
     integer :: i, j
 
     a(1, :) = [0.0_dp, 2.0_dp]
@@ -57,6 +58,19 @@ program test_lapack
     call solve_banded(band, 1, both, error)
     call tap%ok(allocated(error), 'one with a column of zeros is refused')
     call tap%ok(all(both == 0.0_dp), '... and leaves zeros')
+
+    ! Rows (2, i, 0), (-i, 3, 1 + i), (0, 1 - i, 4).
+    hermitian(1, :) = [(0.0_dp, 0.0_dp), (0.0_dp, 1.0_dp), (1.0_dp, 1.0_dp)]
+    hermitian(2, :) = [(2.0_dp, 0.0_dp), (3.0_dp, 0.0_dp), (4.0_dp, 0.0_dp)]
+    z(:, 1) = [(1.0_dp, 0.0_dp), (-1.0_dp, 5.0_dp), (5.0_dp, 9.0_dp)]
+    call solve_hermitian(hermitian, z, error)
+    call tap%ok(.not. allocated(error), 'a Hermitian band is solved')
+    call tap%near(maxval(abs(z(:, 1) - [(1.0_dp, 0.0_dp), (0.0_dp, 1.0_dp), (1.0_dp, 2.0_dp)])), &
+        0.0_dp, 1.0e-14_dp, 'its solution is (1, i, 1 + 2i)')
+    hermitian(2, 2) = (0.4_dp, 0.0_dp)
+    call solve_hermitian(hermitian, z, error)
+    call tap%ok(allocated(error), 'one that is not positive definite is refused')
+    call tap%ok(error%cause == cause%singular, '... as singular')
     call tap%finish()
 
 contains
