@@ -25,9 +25,10 @@ module export_mesh_build
 
     public :: build_mesh
 
-    !> Plans that are tried, and the part of the tolerance that a good one comes to.
+    !> Plans that are tried; the part of the tolerance that a good one comes to, and that a plan is
+    !> made for; the part that a turn must come down to for it to be worth going on.
     integer, parameter :: most_tries = 6
-    real(dp), parameter :: least_part = 0.8_dp, wanted_part = 0.93_dp
+    real(dp), parameter :: least_part = 0.8_dp, wanted_part = 0.96_dp, helpful_part = 0.98_dp
     !> Outlines of two runs are one where they are nearer than this part of the tolerance.
     real(dp), parameter :: seam_part = 0.05_dp
 
@@ -58,21 +59,48 @@ contains
         call find_density(body, density, error)
         if (allocated(error)) return
         aim = settings
+        aim%tolerance = wanted_part*settings%tolerance
         do try = 1, most_tries
-            call try_mesh(body, density, aim, tried, error)
+            call try_mesh(body, density, settings, aim, tried, error)
             if (allocated(error)) exit
-            tried%tolerance = settings%tolerance
-            tried%angle = settings%angle
             if (is_better(tried, mesh)) mesh = tried
-            if (is_good(tried, try)) exit
-            call take_aim(tried, mesh, aim)
+            if (is_within(tried) .and. (try > 1 .or. &
+                tried%error >= least_part*settings%tolerance)) exit
+            call take_aim(tried, aim%tolerance)
         end do
         if (is_within(mesh)) then
             if (allocated(error)) deallocate (error)
+            call turn_less(body, density, settings, aim, mesh)
         else if (.not. allocated(error)) then
             call explain(mesh, error)
         end if
     end subroutine build_mesh
+
+    !> Makes a mesh again whose triangles turn more than asked from one to the next, as long as that
+    !> helps; it is left as it is where the angle is not reached.
+    pure subroutine turn_less(body, density, settings, aim, mesh)
+        type(body_type), intent(in) :: body             !! finished
+        type(density_type), intent(in) :: density       !! of it
+        type(settings_type), intent(in) :: settings     !! what is asked
+        type(settings_type), intent(inout) :: aim       !! of the plan of the mesh
+        type(mesh_type), intent(inout) :: mesh          !! within the tolerance
+        type(error_type), allocatable :: error
+        type(mesh_type) :: tried
+        real(dp) :: turn
+        integer :: try
+
+        turn = mesh%turn
+        do try = 1, most_tries
+            if (turn <= settings%angle) return
+            aim%angle = aim%angle*wanted_part*settings%angle/turn
+            call try_mesh(body, density, settings, aim, tried, error)
+            if (allocated(error)) return
+            if (tried%turn <= settings%angle .and. is_within(tried)) mesh = tried
+            if (tried%turn > helpful_part*turn .and. is_within(tried)) return
+            turn = tried%turn
+            if (.not. is_within(tried)) call take_aim(tried, aim%tolerance)
+        end do
+    end subroutine turn_less
 
     !> True for a mesh that keeps its tolerance.
     pure logical function is_within(mesh)
@@ -80,41 +108,24 @@ contains
         is_within = mesh%triangle_count > 0 .and. mesh%error <= mesh%tolerance
     end function is_within
 
-    !> True for a mesh that keeps tolerance and angle, and does not waste triangles; a second try at
-    !> that is enough.
-    pure logical function is_good(mesh, try)
-        type(mesh_type), intent(in) :: mesh     !! a mesh
-        integer, intent(in) :: try              !! how many were made
-        is_good = is_within(mesh) .and. mesh%turn <= mesh%angle &
-            .and. (try > 1 .or. mesh%error >= least_part*mesh%tolerance)
-    end function is_good
-
-    !> True where a mesh is within the tolerance and another is not, or both are and it turns less,
-    !> or both keep the angle and it has fewer triangles.
+    !> True where a mesh is within the tolerance and another is not, or both are and it has fewer
+    !> triangles, or none is and it is nearer to the skin.
     pure logical function is_better(mesh, other)
         type(mesh_type), intent(in) :: mesh     !! a mesh
         type(mesh_type), intent(in) :: other    !! another, or none
         is_better = other%triangle_count == 0
         if (is_better) return
-        if (is_within(mesh) .neqv. is_within(other)) then
-            is_better = is_within(mesh)
-        else if (max(mesh%turn, other%turn) <= mesh%angle) then
+        is_better = mesh%error < other%error
+        if (is_within(mesh) .and. is_within(other)) &
             is_better = mesh%triangle_count < other%triangle_count
-        else
-            is_better = mesh%turn < other%turn
-        end if
     end function is_better
 
-    !> Plans the next try. The aim at the angle is not changed any more where that has not helped.
-    pure subroutine take_aim(tried, best, aim)
-        type(mesh_type), intent(in) :: tried            !! the last mesh
-        type(mesh_type), intent(in) :: best             !! the best so far
-        type(settings_type), intent(inout) :: aim       !! tolerance and angle of the plan
-
-        aim%tolerance = aim%tolerance*min(4.0_dp, &
-            wanted_part*tried%tolerance/max(tried%error, tiny(1.0_dp)))
-        if (tried%turn <= tried%angle .or. tried%turn > best%turn) return
-        aim%angle = aim%angle*wanted_part*tried%angle/tried%turn
+    !> The tolerance of the next plan.
+    pure subroutine take_aim(tried, tolerance)
+        type(mesh_type), intent(in) :: tried            !! the mesh of the last
+        real(dp), intent(inout) :: tolerance            !! of the plan, deck units
+        tolerance = tolerance*min(4.0_dp, &
+            wanted_part*tried%tolerance/max(tried%error, tiny(tolerance)))
     end subroutine take_aim
 
     !> Says that a mesh stays too far from the skin.
@@ -133,9 +144,10 @@ contains
     end subroutine explain
 
     !> Builds the mesh of one plan.
-    pure subroutine try_mesh(body, density, aim, mesh, error)
+    pure subroutine try_mesh(body, density, settings, aim, mesh, error)
         type(body_type), intent(in) :: body                 !! finished
         type(density_type), intent(in) :: density           !! of it
+        type(settings_type), intent(in) :: settings         !! what is asked
         type(settings_type), intent(in) :: aim              !! of the plan
         type(mesh_type), intent(out) :: mesh                !! where there is no error
         type(error_type), allocatable, intent(out) :: error !! see `build_mesh`
@@ -146,6 +158,8 @@ contains
 
         call new_plan(density, aim%tolerance, aim%angle, body%is_symmetric, plan, error)
         if (allocated(error)) return
+        mesh%tolerance = settings%tolerance
+        mesh%angle = settings%angle
         allocate (mesh%parts(0), mesh%normals(3, 8))
         call lay_vertices(body, plan, rows, mesh, error)
         if (allocated(error)) return

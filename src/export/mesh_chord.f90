@@ -15,6 +15,11 @@ module export_mesh_chord
 
     public :: gauge_type, corner_type, new_gauge, measure_triangle, middle_distance, normal_at
 
+    !> Steps of the parameter around a section that are small enough for the second order, and how
+    !> many larger ones are taken.
+    real(dp), parameter :: small_step = 1.0e-3_dp
+    integer, parameter :: most_steps = 8
+
     !> The exact skin of a section between two rows: at the fore row, a third, a half and two thirds
     !> of the way, and the aft row.
     type :: gauge_type
@@ -111,14 +116,36 @@ contains
         do i = 1, 3
             at(i) = sum(corners%at(i))/real(size(corners), dp)
         end do
-        spot = spot_at(gauge%frames(row), parameter_at(share, &
-            gauge%frames(row)%fullness%value - 1.0_dp))
+        spot = spot_beside(gauge%frames(row), share, at)
         if ((row == 0 .and. gauge%is_stop(1)) .or. (row == 6 .and. gauge%is_stop(2))) then
             distance = distance_in_plane(spot, at)
         else
             distance = distance_from(spot, at)
         end if
     end function middle_distance
+
+    !> A point of the skin at the station of a frame and near to another: that of a share, from
+    !> where it is gone on around the section by Newton's method as long as the other is far on.
+    pure type(spot_type) function spot_beside(frame, share, at) result(spot)
+        type(frame_type), intent(in) :: frame   !! the section
+        real(dp), intent(in) :: share           !! where to begin
+        real(dp), intent(in) :: at(3)           !! the other point
+        real(dp) :: t, step, way(3), pace
+        integer :: i
+
+        t = parameter_at(share, frame%fullness%value - 1.0_dp)
+        do i = 1, most_steps
+            spot = spot_at(frame, t)
+            way = at - spot%at
+            pace = dot_product(spot%t, spot%t)
+            pace = max(pace - dot_product(way, spot%tt), 0.5_dp*pace)
+            if (.not. pace > 0.0_dp) return
+            step = dot_product(way, spot%t)/pace
+            if (abs(step) < small_step) return
+            t = min(1.0_dp, max(0.0_dp, t + step))
+        end do
+        spot = spot_at(frame, t)
+    end function spot_beside
 
     !> The normal of the skin at a share of the fore or the aft row, along u x t, of unit length;
     !> zero where it is not to be had from there.

@@ -39,7 +39,8 @@ contains
         form%second(:, 2) = [form%second(2, 1), dot_product(spot%tt, form%normal)]
     end function form_at
 
-    !> How far a point is from the skin, to second order about a point near it.
+    !> How far a point is from the skin, to second order about a point near it; no further than that
+    !> point is.
     pure real(dp) function distance_from(spot, at) result(distance)
         type(spot_type), intent(in) :: spot !! a point of a sheet
         real(dp), intent(in) :: at(3)       !! a point near it: STA, BL, WL
@@ -52,11 +53,12 @@ contains
         if (.not. form%is_there) return
         along = [dot_product(way, spot%u), dot_product(way, spot%t)]
         step = solved(form%first, along)
-        distance = abs(dot_product(way, form%normal) &
-            - 0.5_dp*dot_product(step, matmul(form%second, step)))
+        distance = min(distance, abs(dot_product(way, form%normal) &
+            - 0.5_dp*dot_product(step, matmul(form%second, step))))
     end function distance_from
 
-    !> How far a point of the plane of a section is from its outline, to second order.
+    !> How far a point of the plane of a section is from its outline, to second order about a point
+    !> near it; no further than that point is.
     pure real(dp) function distance_in_plane(spot, at) result(distance)
         type(spot_type), intent(in) :: spot !! a point of a sheet
         real(dp), intent(in) :: at(3)       !! a point near it, at the same station
@@ -68,8 +70,8 @@ contains
         if (.not. pace > 0.0_dp) return
         normal = [-spot%t(3), spot%t(2)]/pace
         step = dot_product(way, spot%t(2:))/pace**2
-        distance = abs(dot_product(way, normal) &
-            - 0.5_dp*step**2*dot_product(spot%tt(2:), normal))
+        distance = min(distance, abs(dot_product(way, normal) &
+            - 0.5_dp*step**2*dot_product(spot%tt(2:), normal)))
     end function distance_in_plane
 
     !> How fast the normal turns along a way on the skin, radians for one of the way: by the

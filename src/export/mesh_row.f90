@@ -18,10 +18,15 @@ module export_mesh_row
 
     public :: strand_type, ends_type, row_type, lay_vertices, first_row
 
+    !> How far inside of an end with a straight section it is looked how it goes on: parts of the
+    !> range.
+    real(dp), parameter :: inset = 1.0e-6_dp
+
     !> One section at one station.
     type :: strand_type
         integer, allocatable :: vertex(:)   !! from start to finish; not allocated: not there
         real(dp), allocatable :: share(:)   !! of each, rising from 0 to 1
+        real(dp), allocatable :: t(:)       !! the parameter of the arc at each, rising
         type(arc_type) :: arc               !! the section's arc, where there are two or more
     end type strand_type
 
@@ -129,36 +134,70 @@ contains
             if (has_shrunk(i)) then
                 row%strands(i)%vertex = [0]
                 row%strands(i)%share = [0.5_dp]
+                row%strands(i)%t = [0.5_dp]
                 call lay_end([row%sta, points(:, i)], row%ends, mesh, row%strands(i)%vertex(1))
             else
-                call lay_strand(row%sta, plan%columns(i)%share, row%ends, mesh, row%strands(i))
+                row%strands(i)%share = plan%columns(i)%share
+                row%strands(i)%t = parameters_of(body, i, row%sta, row%strands(i))
+                call lay_strand(row%sta, row%ends, mesh, row%strands(i))
             end if
         end do
     end subroutine lay_row
 
     !> Lays the vertices of an arc.
-    pure subroutine lay_strand(sta, share, ends, mesh, strand)
+    pure subroutine lay_strand(sta, ends, mesh, strand)
         real(dp), intent(in) :: sta                     !! deck units
-        real(dp), intent(in) :: share(:)                !! where they are
         type(ends_type), intent(inout) :: ends          !! of the row
         type(mesh_type), intent(inout) :: mesh          !! gets the vertices
-        type(strand_type), intent(inout) :: strand      !! has its arc
+        type(strand_type), intent(inout) :: strand      !! has its arc and where they are
         real(dp) :: at(3)
         integer :: i, last
 
-        last = size(share)
-        strand%share = share
+        last = size(strand%t)
         deallocate (strand%vertex)
         allocate (strand%vertex(last))
         call lay_end([sta, strand%arc%start], ends, mesh, strand%vertex(1))
         do i = 2, last - 1
-            at = [sta, point(strand%arc, place_at(parameter_at(share(i), weight(strand%arc))))]
+            at = [sta, point(strand%arc, place_at(strand%t(i)))]
             if (abs(at(2)) <= ends%noise) at(2) = 0.0_dp
             call add_vertex(mesh, at)
             strand%vertex(i) = mesh%vertex_count
         end do
         call lay_end([sta, strand%arc%finish], ends, mesh, strand%vertex(last))
     end subroutine lay_strand
+
+    !> The parameters of the shares of an arc. Where it has shrunk to a straight line at the end of
+    !> its range, those of the points nearest to what it is a little inside, so that triangles do
+    !> not lean.
+    pure function parameters_of(body, number, sta, strand) result(t)
+        type(body_type), intent(in) :: body         !! finished
+        integer, intent(in) :: number               !! of the section
+        real(dp), intent(in) :: sta                 !! deck units
+        type(strand_type), intent(in) :: strand     !! has arc and shares
+        real(dp) :: t(size(strand%share)), along(size(strand%share)), at(2), chord(2)
+        type(arc_type) :: near
+        type(error_type), allocatable :: error
+        integer :: i, last
+
+        t = parameter_at(strand%share, weight(strand%arc))
+        last = size(t)
+        associate (section => body%sections(number))
+            if (.not. strand%arc%is_line) return
+            if (sta > section%from .and. sta < section%to) return
+            call section_arc(body%lines, section, sta + sign(inset*(section%to - section%from), &
+                0.5_dp*(section%from + section%to) - sta), near, error)
+        end associate
+        if (allocated(error)) return
+        chord = near%finish - near%start
+        do i = 1, last
+            at = point(near, place_at(parameter_at(strand%share(i), weight(near))))
+            along(i) = dot_product(at - near%start, chord)/dot_product(chord, chord)
+        end do
+        along([1, last]) = [0.0_dp, 1.0_dp]
+        if (.not. all(along(2:) > along(:last - 1))) return
+        ! On a line the parameter is the part of the way that is done.
+        t = along
+    end function parameters_of
 
     !> Lays an end of a section: a new vertex, or the one that is there.
     pure subroutine lay_end(at, ends, mesh, vertex)

@@ -53,16 +53,16 @@ contains
         real(dp), intent(in) :: gap                 !! how near is on the arc, deck units
         type(mesh_type), intent(in) :: mesh         !! has the vertices
         type(strand_type), intent(inout) :: taker   !! gets vertices
-        real(dp) :: share, distance
+        real(dp) :: t, distance
         logical :: is_end(2)
         integer :: i, after, nearest
 
         do i = 1, size(giver%vertex)
             if (any(taker%vertex == giver%vertex(i))) cycle
-            call find_nearest(taker%arc, mesh%vertices(2:, giver%vertex(i)), share, distance)
+            call find_nearest(taker%arc, mesh%vertices(2:, giver%vertex(i)), t, distance)
             if (distance > gap) cycle
-            if (.not. (share > 0.0_dp .and. share < 1.0_dp)) cycle
-            after = count(taker%share < share) + 1
+            if (.not. (t > 0.0_dp .and. t < 1.0_dp)) cycle
+            after = count(taker%t < t) + 1
             nearest = near_neighbour(taker, after, mesh%vertices(:, giver%vertex(i)), mesh)
             is_end = [is_end_of(giver, i), is_end_of(taker, nearest)]
             if (nearest > 0 .and. .not. is_end(1)) then
@@ -73,10 +73,10 @@ contains
             end if
             if (nearest > 0 .and. is_end(1) .and. .not. is_end(2)) then
                 taker%vertex(nearest) = giver%vertex(i)
-                taker%share(nearest) = share
+                taker%share(nearest) = share_at(taker, after, t)
+                taker%t(nearest) = t
             else
-                taker%vertex = [taker%vertex(:after - 1), giver%vertex(i), taker%vertex(after:)]
-                taker%share = [taker%share(:after - 1), share, taker%share(after:)]
+                call insert(taker, after, share_at(taker, after, t), t, giver%vertex(i))
             end if
         end do
     end subroutine share_vertices
@@ -87,9 +87,9 @@ contains
         integer, intent(in) :: vertex           !! of another
         real(dp), intent(in) :: gap             !! how near is on the arc, deck units
         type(mesh_type), intent(in) :: mesh     !! has the vertices
-        real(dp) :: share, distance
+        real(dp) :: t, distance
 
-        call find_nearest(strand%arc, mesh%vertices(2:, vertex), share, distance)
+        call find_nearest(strand%arc, mesh%vertices(2:, vertex), t, distance)
         can_be = distance <= gap .and. all(strand%vertex /= vertex)
     end function can_be
 
@@ -120,10 +120,10 @@ contains
 
     !> The point of an arc that is nearest to another: the best of evenly spread ones, then a search
     !> by golden section on both sides of it.
-    pure subroutine find_nearest(arc, at, share, distance)
+    pure subroutine find_nearest(arc, at, t, distance)
         type(arc_type), intent(in) :: arc       !! any
         real(dp), intent(in) :: at(2)           !! BL, WL, deck units
-        real(dp), intent(out) :: share          !! where it is, 0 to 1
+        real(dp), intent(out) :: t              !! its parameter, 0 to 1
         real(dp), intent(out) :: distance       !! deck units
         real(dp) :: low, high, inner(2), far(2)
         real(dp), parameter :: golden = 0.5_dp*(sqrt(5.0_dp) - 1.0_dp)
@@ -138,15 +138,15 @@ contains
             if (far(1) < far(2)) high = inner(2)
             if (far(1) >= far(2)) low = inner(1)
         end do
-        share = 0.5_dp*(low + high)
-        if (distance_at(0.0_dp) <= distance_at(share)) share = 0.0_dp
-        if (distance_at(1.0_dp) <= distance_at(share)) share = 1.0_dp
-        distance = distance_at(share)
+        t = parameter_at(0.5_dp*(low + high), weight(arc))
+        distance = norm2(point(arc, place_at(t)) - at)
+        if (distance_at(0.0_dp) <= distance) t = 0.0_dp
+        if (distance_at(1.0_dp) <= distance) t = 1.0_dp
     contains
         !> How far the arc is from the point at a share.
-        pure real(dp) function distance_at(s)
-            real(dp), intent(in) :: s !! 0 to 1
-            distance_at = norm2(point(arc, place_at(parameter_at(s, weight(arc)))) - at)
+        pure real(dp) function distance_at(share)
+            real(dp), intent(in) :: share !! 0 to 1
+            distance_at = norm2(point(arc, place_at(parameter_at(share, weight(arc)))) - at)
         end function distance_at
     end subroutine find_nearest
 
@@ -171,8 +171,8 @@ contains
                 end associate
                 if (all(ways > 0.0_dp .and. ways < 1.0_dp)) then
                     call add_vertex(mesh, [mesh%vertices(1, first%vertex(i)), at(2:)])
-                    call insert(first, i, ways(1), mesh%vertex_count)
-                    call insert(second, k, ways(2), mesh%vertex_count)
+                    call insert_between(first, i, ways(1), mesh%vertex_count)
+                    call insert_between(second, k, ways(2), mesh%vertex_count)
                     k = k + 1
                 end if
                 k = k + 1
@@ -198,17 +198,37 @@ contains
         ways = [cross(apart, q), cross(apart, p)]/area
     end subroutine find_crossing
 
-    !> Puts a vertex into a strand.
-    pure subroutine insert(strand, before, way, vertex)
+    !> The share of a strand at a parameter, between its neighbours.
+    pure real(dp) function share_at(strand, after, t) result(share)
+        type(strand_type), intent(in) :: strand !! any
+        integer, intent(in) :: after            !! place of the next vertex behind it
+        real(dp), intent(in) :: t               !! the parameter
+        share = strand%share(after - 1) + (strand%share(after) - strand%share(after - 1)) &
+            *(t - strand%t(after - 1))/(strand%t(after) - strand%t(after - 1))
+    end function share_at
+
+    !> Puts a vertex into a strand, on the straight side between two others.
+    pure subroutine insert_between(strand, before, way, vertex)
         type(strand_type), intent(inout) :: strand  !! gets it
         integer, intent(in) :: before               !! place of the vertex it is put before
         real(dp), intent(in) :: way                 !! where on that side, 0 to 1
         integer, intent(in) :: vertex               !! in the mesh
-        real(dp) :: share
+        real(dp) :: t
 
-        share = strand%share(before - 1) + way*(strand%share(before) - strand%share(before - 1))
+        t = strand%t(before - 1) + way*(strand%t(before) - strand%t(before - 1))
+        call insert(strand, before, share_at(strand, before, t), t, vertex)
+    end subroutine insert_between
+
+    !> Puts a vertex into a strand.
+    pure subroutine insert(strand, before, share, t, vertex)
+        type(strand_type), intent(inout) :: strand  !! gets it
+        integer, intent(in) :: before               !! place of the vertex it is put before
+        real(dp), intent(in) :: share               !! its share
+        real(dp), intent(in) :: t                   !! its parameter
+        integer, intent(in) :: vertex               !! in the mesh
         strand%vertex = [strand%vertex(:before - 1), vertex, strand%vertex(before:)]
         strand%share = [strand%share(:before - 1), share, strand%share(before:)]
+        strand%t = [strand%t(:before - 1), t, strand%t(before:)]
     end subroutine insert
 
 end module export_mesh_seam

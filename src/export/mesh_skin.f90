@@ -10,7 +10,7 @@ module export_mesh_skin
     implicit none (type, external)
     private
 
-    public :: add_skin
+    public :: add_skin, add_run
 
 contains
 
@@ -45,7 +45,7 @@ contains
         mesh%worst = mesh%parts(i)%worst
     end subroutine add_skin
 
-    !> Adds the skin of a section over a run.
+    !> Adds the skin of a section over a run to the last part of a mesh.
     pure subroutine add_run(body, section, run, rows, mesh, error)
         type(body_type), intent(in) :: body                 !! finished
         integer, intent(in) :: section                      !! in the body's list

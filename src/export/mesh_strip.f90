@@ -10,8 +10,6 @@ module export_mesh_strip
     use export_mesh_chord, only: corner_type, gauge_type, measure_triangle, middle_distance, &
         normal_at
     use export_mesh_row, only: strand_type
-    use export_mesh_share, only: parameter_at
-    use geom_arc, only: weight
     use geom_place, only: place_at
     implicit none (type, external)
     private
@@ -80,8 +78,7 @@ contains
                 skin = skin_at(body%lines, section, sta, place_at(share))
             else
                 if (side == 2 .and. strip%gauge%is_stop(2)) sta = nearest(sta, -1.0_dp)
-                skin = skin_at(body%lines, section, sta, &
-                    place_at(parameter_at(share, weight(strand%arc))))
+                skin = skin_at(body%lines, section, sta, place_at(strand%t(number)))
             end if
             if (skin%has_normal) normal = skin%normal
         end associate

@@ -9,7 +9,6 @@ module export_network_build
     use body_body, only: body_type
     use cut_measure_ring, only: link_type, rings_at
     use export_mesh_plan, only: plan_type
-    use export_mesh_row, only: first_row
     use export_network, only: network_type, networks_type
     use export_network_layout, only: facing_left, lay_out, layout_type, network_along
     use export_settings, only: settings_type
@@ -65,11 +64,11 @@ contains
             last = 0
             do run = 1, size(layout%plan%runs)
                 if (all(layout%plan%runs(run)%stretch%sections /= i)) cycle
-                if (first == 0) first = first_row(layout%plan, run)
-                last = first_row(layout%plan, run + 1)
+                if (first == 0) first = run
+                last = run
             end do
             if (first == 0) cycle
-            network = network_along(layout, facing_left(body, [i]), first, last)
+            network = network_along(layout, facing_left(body, [i]), [first, last])
             network%name = trim(body%sections(i)%name)
             if (body%sections(i)%is_port) network%name = network%name//'_P'
             network%is_half = body%is_symmetric
@@ -97,8 +96,7 @@ contains
             if (allocated(error)) return
             do k = 1, maxval([0, links%ring])
                 network = network_along(layout, &
-                    facing_left(body, path_of(pack(links, links%ring == k))), &
-                    first_row(layout%plan, first), first_row(layout%plan, last + 1))
+                    facing_left(body, path_of(pack(links, links%ring == k))), [first, last])
                 network%name = ring_name(body, layout%plan, k, first, last)
                 if (body%is_closed .and. .not. body%is_symmetric) &
                     call close_centre(network%points)

@@ -4,11 +4,11 @@ module export_network_layout
     use base_error, only: error_type
     use base_kinds, only: dp
     use body_body, only: body_type
-    use export_mesh, only: mesh_type
+    use export_mesh, only: mesh_part_type, mesh_type
     use export_mesh_density, only: density_type, find_density
     use export_mesh_plan, only: new_plan, plan_type, station_plan
-    use export_mesh_row, only: lay_vertices, row_type, strand_type
-    use export_mesh_skin, only: add_skin
+    use export_mesh_row, only: first_row, lay_vertices, row_type, strand_type
+    use export_mesh_skin, only: add_run
     use export_network, only: network_type
     use export_settings, only: settings_type
     implicit none (type, external)
@@ -24,7 +24,9 @@ module export_network_layout
     type :: layout_type
         type(plan_type) :: plan                     !! rows and columns
         type(row_type), allocatable :: rows(:)      !! the vertices of each
-        type(mesh_type) :: mesh                     !! the skin, measured
+        type(mesh_type) :: mesh                     !! the skin, measured, a part for each section
+                                                    !! and run
+        integer, allocatable :: run(:)              !! the run of each part
     end type layout_type
 
 contains
@@ -68,11 +70,24 @@ contains
         type(plan_type), intent(in) :: plan                 !! where they are
         type(layout_type), intent(out) :: layout            !! where there is no error
         type(error_type), allocatable, intent(out) :: error !! a section has no arc
+        type(mesh_part_type) :: part
+        integer :: run, i
 
         layout%plan = plan
-        allocate (layout%mesh%parts(0))
+        allocate (layout%mesh%parts(0), layout%run(0))
         call lay_vertices(body, plan, layout%rows, layout%mesh, error)
-        if (.not. allocated(error)) call add_skin(body, plan, layout%rows, layout%mesh, error)
+        if (allocated(error)) return
+        do run = 1, size(plan%runs)
+            do i = 1, size(plan%runs(run)%stretch%sections)
+                part%section = plan%runs(run)%stretch%sections(i)
+                layout%mesh%parts = [layout%mesh%parts, part]
+                layout%run = [layout%run, run]
+                call add_run(body, part%section, plan%runs(run), &
+                    layout%rows(first_row(plan, run):first_row(plan, run + 1)), layout%mesh, error)
+                if (allocated(error)) return
+            end do
+        end do
+        layout%mesh%error = maxval([0.0_dp, layout%mesh%parts%error])
     end subroutine lay_skin
 
     !> A path of sections (a negative one is run through against its own way), turned about where
@@ -86,14 +101,15 @@ contains
             turned = -path(size(path):1:-1)
     end function facing_left
 
-    !> The network of a path of sections over some rows, without a name.
-    pure type(network_type) function network_along(layout, path, first, last) result(network)
+    !> The network of a path of sections over some runs, without a name.
+    pure type(network_type) function network_along(layout, path, runs) result(network)
         type(layout_type), intent(in) :: layout     !! of the body
         integer, intent(in) :: path(:)              !! as `facing_left` has it
-        integer, intent(in) :: first                !! the first row
-        integer, intent(in) :: last                 !! the last row
-        integer :: columns(size(path)), i, k, n, row
+        integer, intent(in) :: runs(2)              !! the first and the last of them
+        integer :: columns(size(path)), i, k, n, row, first, last
 
+        first = first_row(layout%plan, runs(1))
+        last = first_row(layout%plan, runs(2) + 1)
         do i = 1, size(path)
             columns(i) = size(layout%plan%columns(abs(path(i)))%share)
         end do
@@ -109,9 +125,14 @@ contains
                 end do
             end do
         end do
-        i = maxloc(layout%mesh%parts(abs(path))%error, dim=1)
-        network%error = layout%mesh%parts(abs(path(i)))%error
-        network%worst = layout%mesh%parts(abs(path(i)))%worst
+        do i = 1, size(layout%run)
+            associate (part => layout%mesh%parts(i))
+                if (layout%run(i) < runs(1) .or. layout%run(i) > runs(2)) cycle
+                if (all(abs(path) /= part%section) .or. part%error <= network%error) cycle
+                network%error = part%error
+                network%worst = part%worst
+            end associate
+        end do
     end function network_along
 
     !> A vertex of a strand; where it has shrunk to a point, that one.

@@ -107,6 +107,11 @@ program test_mesh_build
     call build_mesh(computed%body, settings, other, error)
     call tap%ok(all(mesh%triangles == other%triangles) .and. &
         all(abs(mesh%vertices - other%vertices) <= 0.0_dp), 'the same again is the same')
+    call computed_deck(tap, 'batten', computed)
+    call build_mesh(computed%body, settings, mesh, error)
+    call tap%ok(largest_from(computed%body, mesh) <= 0.02_dp, &
+        'a hull with a stem: no point is further from the skin than asked')
+    call tap%ok(mesh%turn > 20.0_dp, 'the angle at its stem is told')
     call computed_deck(tap, 'nose', computed)
     call build_mesh(computed%body, settings, mesh, error)
     call tap%ok(.not. mesh%is_closed, 'the nose of the book is open')

@@ -3,12 +3,14 @@ program test_mesh_row
     use base_error, only: error_type
     use base_exact, only: is_zero
     use base_kinds, only: dp
-    use body_body, only: body_type
+    use body_body, only: body_type, finish_body
     use export_mesh, only: mesh_type
     use export_mesh_density, only: density_type, find_density
     use export_mesh_plan, only: new_plan, plan_type
     use export_mesh_row, only: first_row, lay_vertices, row_type
-    use support_bodies, only: ellipsoid
+    use geom_chain, only: chain_type
+    use support_bodies, only: constant_view, control_line, ellipsoid, level, plain_section, &
+        straight_view, upright
     use support_cylinders, only: cylinders
     use support_tap, only: tap_type
     implicit none (type, external)
@@ -72,5 +74,37 @@ program test_mesh_row
     body%lines(4)%plan%constant = 60.0_dp
     call lay_vertices(body, plan, rows, mesh, error)
     call tap%ok(allocated(error), 'a section without an arc is told')
+
+    ! A stem: at station 0 the section is upright in BL 0. All sections are one, but for their
+    ! breadth, so that each share has its WL.
+    body = wedge()
+    call find_density(body, density, error)
+    call new_plan(density, 0.05_dp, 20.0_dp, .true., plan, error)
+    call lay_vertices(body, plan, rows, mesh, error)
+    call tap%ok(.not. allocated(error), 'a section may shrink to a line')
+    associate (stem => rows(1)%strands(1)%vertex, next => rows(2)%strands(1)%vertex)
+        call tap%near(maxval(abs(mesh%vertices(3, stem) - mesh%vertices(3, next))), 0.0_dp, &
+            1.0e-9_dp, 'its vertices are where those of the next row lead to')
+        call tap%near(maxval(abs(mesh%vertices(2, stem))), 0.0_dp, 0.0_dp, 'in BL 0')
+        call tap%ok(all(mesh%vertices(3, stem(2:)) > mesh%vertices(3, stem(:size(stem) - 1))), &
+            'in order')
+    end associate
     call tap%finish()
+
+contains
+
+    !> A body of one section from WL 0 to 20 and from BL 0 to a quarter of the station.
+    function wedge() result(body)
+        type(body_type) :: body
+        type(chain_type) :: none
+        allocate (body%lines(0), body%sections(0))
+        body%lines = [control_line('KEEL', constant_view(0.0_dp), none), &
+            control_line('BILGE', constant_view(5.0_dp), &
+            straight_view([0.0_dp, 0.0_dp], [40.0_dp, 8.0_dp])), &
+            control_line('SHEER', constant_view(20.0_dp), &
+            straight_view([0.0_dp, 0.0_dp], [40.0_dp, 10.0_dp]))]
+        body%sections = [plain_section('HULL', [1, 2, 3], level, upright)]
+        call finish_body(body)
+    end function wedge
+
 end program test_mesh_row

@@ -67,6 +67,7 @@ program test_mesh_seam
     associate (strand => it%rows(row)%strands(3))
         strand%vertex = strand%vertex([1, 4, size(strand%vertex)])
         strand%share = strand%share([1, 4, size(strand%share)])
+        strand%t = strand%t([1, 4, size(strand%t)])
     end associate
     call join_row([1, 2], [3, 4], 1.0e-6_dp, it%rows(row), it%mesh)
     call tap%ok(size(it%rows(row)%strands(3)%vertex) == size(it%rows(row)%strands(1)%vertex), &

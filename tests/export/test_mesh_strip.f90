@@ -61,6 +61,7 @@ program test_mesh_strip
         strand%vertex = [strand%vertex(:2), strand%vertex(2:)]
         strand%share = [strand%share(:2), 0.5_dp*(strand%share(2) + strand%share(3)), &
             strand%share(3:)]
+        strand%t = strand%share
         strand%vertex(3) = tube%mesh%vertex_count
     end associate
     columns = size(tube%plan%columns(1)%share) - 1

@@ -37,7 +37,7 @@ program test_network_layout
     call tap%ok(all(facing_left(body, [1]) == [-1]), 'a section is turned about')
     call tap%ok(all(facing_left(body, [1, 2]) == [-2, -1]), 'so is a path')
     call tap%ok(all(facing_left(body, [-2, -1]) == [-2, -1]), 'unless it is right')
-    network = network_along(layout, [-2, -1], 1, 4)
+    network = network_along(layout, [-2, -1], [1, 1])
     n = size(network%points, 2)
     call tap%ok(size(network%points, 3) == 4 .and. n == size(layout%plan%columns(1)%share) &
         + size(layout%plan%columns(2)%share) - 1, 'sections in a row share a point')
