@@ -225,8 +225,8 @@ contains
         call tap%ok(allocated(error), 'sides that do not meet are an error')
         if (allocated(error)) then
             call tap%ok(error%cause == cause%joint_gap, 'its cause is a gap')
-            call tap%same(error%message, 'sides 2 and 3 do not meet in corner 3: the gap is 0.25; '// &
-                '0.001 is allowed', 'it names the corner and the gap')
+            call tap%same(error%message, 'sides 2 and 3 do not meet in corner 3: the gap is '// &
+                '0.25; 0.001 is allowed', 'it names the corner and the gap')
         end if
         gap = twist_gaps(broken_frame_type(twist=0.5_dp))
         call tap%ok(all(abs(gap - reshape([0.5_dp, 0.0_dp, 0.5_dp, 0.0_dp], [2, 2])) <= 0.0_dp), &

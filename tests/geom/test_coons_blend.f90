@@ -52,9 +52,11 @@ contains
             before = blend_jet(kind, 0.3_dp - h)
             after = blend_jet(kind, 0.3_dp + h)
             call tap%near(maxval(abs(jet(1, :, :) &
-                - (after(0, :, :) - before(0, :, :))/(2.0_dp*h))), 0.0_dp, 1.0e-6_dp, 'first derivatives')
+                - (after(0, :, :) - before(0, :, :))/(2.0_dp*h))), &
+                0.0_dp, 1.0e-6_dp, 'first derivatives')
             call tap%near(maxval(abs(jet(2, :, :) &
-                - (after(1, :, :) - before(1, :, :))/(2.0_dp*h))), 0.0_dp, 1.0e-6_dp, 'second derivatives')
+                - (after(1, :, :) - before(1, :, :))/(2.0_dp*h))), &
+                0.0_dp, 1.0e-6_dp, 'second derivatives')
         end do
         jet = blend_jet(blend%slopes, 0.25_dp)
         call tap%near(maxval(abs(jet(0, :1, :) - reshape([0.84375_dp, 0.140625_dp, 0.15625_dp, &

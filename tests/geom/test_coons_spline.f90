@@ -65,7 +65,8 @@ contains
         corner = coons_jet(new_coons(new_spline_frame(side, has_twists=.false.), blend%slopes), &
             0.3_dp, 0.6_dp)
         call tap%near(norm2(corner%at &
-            - coons_point(new_coons(frame, blend%cubic), 0.3_dp, 0.6_dp)), 0.0_dp, 1.0e-14_dp, 'slopes without twists are the blend by cubics')
+            - coons_point(new_coons(frame, blend%cubic), 0.3_dp, 0.6_dp)), 0.0_dp, 1.0e-14_dp, &
+            'slopes without twists are the blend by cubics')
         corner = coons_jet(new_coons(frame, blend%linear), 1.0_dp, 0.0_dp)
         call tap%near(norm2(frame%twist(:, 1, 0) - corner%uv), 0.0_dp, 1.0e-13_dp, &
             'its twists are those of the linear blend')
