@@ -101,13 +101,17 @@ plot: $(LOFT)                       ## draws the pictures of DECK
 	@$(LOFT) plot $(DECK) -o $(PLOTS) --format svg
 	@$(LOFT) plot $(DECK) -o $(PLOTS) --format png
 
-pictures: $(LOFT)                   ## draws the pictures of the README (doc/*.svg, *.png)
+pictures: $(LOFT) deps-test         ## draws the pictures of the README (doc/*.svg, *.png)
 	@$(LOFT) plot cards/sae700202.crd -o $(PLOTS)
 	@$(LOFT) plot cards/fuselage.crd -o $(BUILD)/fuselage
 	@for p in side sections; do cp $(PLOTS)/$$p.svg doc/nose-$$p.svg; done
 	@$(LOFT) plot cards/fuselage.crd -o $(BUILD)/fuselage --format png
 	@cp $(BUILD)/fuselage/lines.svg doc/fuselage-lines.svg
 	@cp $(BUILD)/fuselage/view3d.png doc/fuselage-view3d.png
+	@$(LOFT) export cards/fuselage.crd -o $(BUILD)/frame.svg --cut STA_248 --bevel 4 > $(BUILD)/frame.txt
+	@rsvg-convert -b white -w 800 $(BUILD)/frame.svg -o doc/frame-pattern.png
+	@$(LOFT) export cards/fuselage.crd -o $(BUILD)/fuselage.step > $(BUILD)/fuselage.txt
+	@$(JUDGES)/bin/python tests/judges/render.py $(BUILD)/fuselage.step doc/fuselage-skin.png
 
 bench: $(BENCHES)                   ## times the programs of tests/bench
 	$(if $(BENCHES),,$(error there is no program in tests/bench))

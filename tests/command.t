@@ -42,7 +42,7 @@ for command in run check plot export; do
     [ "$status" = 0 ] && cmp -s "$work/out" "$work/topic"
     ok $? "loft $command --help is loft help $command"
     # Every option that the reader of the command line knows for this command is in its help.
-    sed -e ':a' -e '/&$/N' -e 's/ &\n *//' -e 'ta' src/app/option_table.f90 | tr '(' '\n' |
+    sed -e ':a' -e '/&$/N' -e 's/ &\n */ /' -e 'ta' src/app/option_table.f90 | tr '(' '\n' |
         sed -n "s/^\('[^']*', '[^']*', '[^']*', '[^']*'\), .*/\1/p" | sed "s/', '/|/g; s/'//g" |
         grep "|\([^|]* \)*$command\( [^|]*\)*$" > "$work/known"
     [ "$command" = check ] || [ "$(wc -l < "$work/known")" -gt 1 ]

@@ -133,8 +133,10 @@ contains
             '  -o FILE           the file; - is standard output, --format says what goes', &
             '                    there: svg pdf dxf iges step stl obj nc hrm wgs csv', &
             '  --tolerance T     how far a file may be from the exact shape, in deck units;', &
-            '                    .001 in, .025 mm or .00008 ft where it is not said', &
+            '                    .001 in, .025 mm or .00008 ft where it is not said,', &
+            '                    ten times as much for stl and obj', &
             '  --units U         of the file: in, mm, ft or m; else those of the deck', &
+            '                    (nc of feet: in; csv: always m)', &
             '  --cut LIST        only these cuts, by number or name; may stand several times'])
         call out%lines([character(80) :: &
             'Patterns', &
@@ -142,14 +144,15 @@ contains
             '  --paper P         tiles of a4, letter, a3, tabloid, or roll WIDTH', &
             '  --overlap W       of tiles, in units of the file; .5 in or 12 mm', &
             '  --half            symmetric cuts as their half (also dxf, nc)', &
-            '  --bevel STEP      from bevel mark to bevel mark, deck units; 6 in or 150 mm', &
+            '  --bevel STEP      from bevel mark to mark, deck units; 6 in or 150 mm (also', &
+            '                    dxf)', &
             'DXF, IGES, STEP', &
             '  --dxf-splines     R2000 with rational splines, not R12 with polylines', &
             '  --3d              DXF: cuts and lines where they are in space', &
             '  --iges-conics     IGES: conics as entity 104 where they are conics', &
             '  --open            no caps, no solid (also stl, obj)', &
             'Meshes', &
-            '  --angle DEG       largest turn between triangles; 10', &
+            '  --angle DEG       largest turn between triangles; 10 (also hrm, wgs, csv)', &
             '  --binary          binary STL', &
             'NC, in units of the file', &
             '  --feed F          along the cut, a minute; 20 in or 500 mm', &

@@ -37,7 +37,7 @@ module app_option_table
         option_layout_type('--overlap', 'positive', 'in units of the file', 'export', &
             'svg pdf'), &
         option_layout_type('--half', 'flag', '', 'export', 'svg pdf dxf nc'), &
-        option_layout_type('--bevel', 'positive', 'in deck units', 'export', 'svg pdf'), &
+        option_layout_type('--bevel', 'positive', 'in deck units', 'export', 'svg pdf dxf'), &
         option_layout_type('--dxf-splines', 'flag', '', 'export', 'dxf'), &
         option_layout_type('--3d', 'flag', '', 'export', 'dxf'), &
         option_layout_type('--iges-conics', 'flag', '', 'export', 'iges'), &
