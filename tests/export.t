@@ -103,6 +103,10 @@ export_deck "$cards/nose.crd" -o none.dxf --cut FRONT
 [ "$status" = 2 ] && grep -q -- '--cut FRONT: no cut .* 1 STA_0, 2 STA_5' err && [ ! -e none.dxf ]
 ok $? 'a cut that is not there: the cuts are listed' "$(seen)"
 
+makes sae700202 cards.dxf --cut 'mhb side,3'
+[ "$(said '[A-Za-z]*_[a-z]*' out | wc -l)" = 2 ] && grep -q '^MHB_side ' out && grep -q '^LCL_side ' out
+ok $? 'cards of a deck of 1970 are chosen by their comment and by number' "$(seen)"
+
 mkdir sheets
 export_deck "$cards/nose.crd" -o sheets/nose.svg --sheet each
 [ "$status" = 0 ] && [ "$(ls sheets | wc -l)" = 11 ] && [ -s sheets/nose-STA_20.svg ] &&

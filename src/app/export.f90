@@ -2,7 +2,7 @@
 module app_export
     use app_computed_body, only: computed_body_type
     use app_export_body, only: draw_curves, read_bodies
-    use app_export_conics, only: read_conics
+    use app_export_conics, only: choose_cards, read_conics
     use app_export_parts, only: parts_type
     use app_export_request, only: read_request, request_type, settle_request
     use app_export_write, only: has_curves, has_lines, keeps_tolerance, &
@@ -118,8 +118,11 @@ contains
             call settle_request(export%request, parts%drawing%units, factor, error)
         if (.not. allocated(error)) call refuse_bodies(export%request, parts, error)
         if (allocated(error)) return
-        if (parts%is_body_deck .and. has_curves(export%request)) call draw_curves(computed, &
-            export%request, has_lines(export%request), parts, error)
+        if (.not. parts%is_body_deck) then
+            call choose_cards(export%request, parts, error)
+        else if (has_curves(export%request)) then
+            call draw_curves(computed, export%request, has_lines(export%request), parts, error)
+        end if
         if (.not. allocated(error)) call scale_parts(export%request, factor, parts)
         export%heading%deck = deck_name(export)
         export%heading%checksum = checksum

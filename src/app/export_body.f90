@@ -96,7 +96,7 @@ contains
             cuts = [cuts, computed(i)%cuts]
         end do
         call name_cuts(cuts, named)
-        call choose_cuts(request%cuts, cuts, named%cuts, is_chosen, error)
+        call choose_cuts(request%cuts, named%cuts, cuts%name, is_chosen, error)
         number = 0
         parts%drawing%tolerance = request%tolerance
         do i = 1, size(computed)

@@ -1,10 +1,9 @@
 !> Which cuts `loft export --cut` means: by number in the deck, by the name on its card, or by the
-!> name it has in the file; letters in any case.
+!> name it has in the file; letters in any case. Of a deck of 1970 the cuts are its cards.
 module app_export_choice
     use app_options, only: argument_type
     use base_error, only: cause, error_type, fail
     use base_text, only: to_text, upper
-    use cut_outline, only: cut_type
     use export_drawing, only: shape_type
     implicit none (type, external)
     private
@@ -19,22 +18,24 @@ contains
     !> The cuts that some words mean; without a word all.
     !>
     !> Fails with `cause%usage` where a word means none.
-    pure subroutine choose_cuts(words, cuts, shapes, is_chosen, error)
+    pure subroutine choose_cuts(words, shapes, cards, is_chosen, error)
         type(argument_type), intent(in) :: words(:)         !! as the user gave them
-        type(cut_type), intent(in) :: cuts(:)               !! all cuts of the deck, in its order
-        type(shape_type), intent(in) :: shapes(:)           !! their names in files
+        type(shape_type), intent(in) :: shapes(:)           !! names in files, numbers
+        character(*), intent(in) :: cards(:)                !! names on their cards, or blank
         logical, allocatable, intent(out) :: is_chosen(:)   !! one for each cut
         type(error_type), allocatable, intent(out) :: error !! see above
         logical, allocatable :: is_meant(:)
+        character(:), allocatable :: word
         integer :: i, k
 
-        allocate (is_chosen(size(cuts)), source=size(words) == 0)
-        allocate (is_meant(size(cuts)))
+        allocate (is_chosen(size(shapes)), source=size(words) == 0)
+        allocate (is_meant(size(shapes)))
         do i = 1, size(words)
-            do k = 1, size(cuts)
-                is_meant(k) = upper(words(i)%text) == upper(shapes(k)%name) .or. &
-                    words(i)%text == to_text(k) .or. &
-                    (cuts(k)%name /= '' .and. upper(words(i)%text) == upper(cuts(k)%name))
+            word = upper(words(i)%text)
+            do k = 1, size(shapes)
+                is_meant(k) = word == upper(shapes(k)%name) .or. &
+                    word == to_text(shapes(k)%number) .or. &
+                    (cards(k) /= '' .and. word == upper(cards(k)))
             end do
             is_chosen = is_chosen .or. is_meant
             if (any(is_meant)) cycle
@@ -53,10 +54,11 @@ contains
         if (size(shapes) == 0) return
         text = 'no cut of the deck has this name or number; its cuts are:'
         do k = 1, min(size(shapes), most_listed)
-            text = text//' '//to_text(k)//' '//shapes(k)%name//','
+            text = text//' '//to_text(shapes(k)%number)//' '//shapes(k)%name//','
         end do
         text = text(:len(text) - 1)
-        if (size(shapes) > most_listed) text = text//' and so on to '//to_text(size(shapes))
+        if (size(shapes) > most_listed) &
+            text = text//' and so on to '//to_text(shapes(size(shapes))%number)
     end function known_cuts
 
 end module app_export_choice

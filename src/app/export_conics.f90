@@ -1,6 +1,8 @@
 !> A 1970 deck made ready for export: the arc of each card as a curve.
 module app_export_conics
+    use app_export_choice, only: choose_cuts
     use app_export_parts, only: begin_parts, parts_type
+    use app_export_request, only: request_type
     use app_input, only: deck_input_type
     use base_error, only: error_type
     use base_fault, only: fault_list_type
@@ -17,7 +19,7 @@ module app_export_conics
     implicit none (type, external)
     private
 
-    public :: read_conics
+    public :: read_conics, choose_cards
 
 contains
 
@@ -83,5 +85,26 @@ contains
         shape%title = title
         parts%drawing%cuts = [parts%drawing%cuts, shape]
     end subroutine take_card
+
+    !> Leaves the cards that are wanted: by number among the data cards, by the comment before it,
+    !> or by its name in the file.
+    !>
+    !> Fails with `cause%usage` where a card is asked that the deck has not.
+    pure subroutine choose_cards(request, parts, error)
+        type(request_type), intent(in) :: request           !! which cards
+        type(parts_type), intent(inout) :: parts            !! of a 1970 deck
+        type(error_type), allocatable, intent(out) :: error !! see above
+        character(80), allocatable :: titles(:)
+        logical, allocatable :: is_chosen(:)
+        integer :: i
+
+        allocate (titles(size(parts%drawing%cuts)))
+        do i = 1, size(titles)
+            titles(i) = parts%drawing%cuts(i)%title
+        end do
+        call choose_cuts(request%cuts, parts%drawing%cuts, titles, is_chosen, error)
+        if (allocated(error)) return
+        parts%drawing%cuts = pack(parts%drawing%cuts, is_chosen)
+    end subroutine choose_cards
 
 end module app_export_conics

@@ -65,8 +65,9 @@ contains
         end do
         do i = 1, size(of)
             shapes(i)%name = cut_name(of(i))
+            shapes(i)%number = i
         end do
-        call choose_cuts(words, of, shapes, is_chosen, error)
+        call choose_cuts(words, shapes, of%name, is_chosen, error)
         text = ''
         if (allocated(error)) then
             if (error%cause == cause%usage) text = error%message(index(error%message, ': ') + 2:)
