@@ -9,6 +9,7 @@ module app_run_body
     use base_error, only: cause, error_type, fail
     use base_fault, only: fault_list_type
     use base_output, only: output_type
+    use body_faired, only: faired_views
     use deck_job, only: job_type
     use deck_job_reader, only: read_job
     use report_body_listing, only: body_listing_type
@@ -89,6 +90,7 @@ contains
         do i = 1, size(job%body)
             call compute_body(job, i, computed, faults)
             call listing%print_body_head(computed%body, computed%joints, out)
+            call listing%print_faired_lines(faired_views(job%body(i), computed%body%lines), out)
             call listing%print_body_ring(computed%body, computed%ring, out)
             call listing%print_offset_tables(computed%heights, computed%half_breadths, &
                 computed%sections, out)

@@ -59,7 +59,7 @@ contains
                     select case (given%origin)
                     case (origin%pieces)
                         call build_view(body%line(i), j, gap, views(j, i)%chain, joints, faults)
-                    case (origin%spline, origin%bezier)
+                    case (origin%spline, origin%bezier, origin%fair)
                         call build_points(given, gap, views(j, i)%chain, faults)
                     case (origin%constant)
                         allocate (views(j, i)%chain)

@@ -1,16 +1,21 @@
 !> From the point cards of a view of a control line to its chain: a spline through measured offsets,
-!> or a Bezier curve of poles.
+!> a faired curve near them, or a Bezier curve of poles.
 module body_build_points
+    use base_decimal, only: to_real
     use base_error, only: cause, error_type
     use base_fault, only: fault_list_type
     use base_kinds, only: dp
     use base_text, only: to_text
+    use base_tolerances, only: type_tolerance
     use deck_body_card, only: blame, blame_span
     use deck_job, only: ending, origin, piece_real, piece_type, view_type
     use geom_arc, only: direction_of_slope
     use geom_chain, only: chain_type, new_chain
     use geom_cubic_spline, only: cubic_spline_type, open_spline, spline_end, spline_end_type, &
         spline_segment
+    use geom_fairing, only: fair, fairing_type
+    use geom_fairing_curve, only: uniform_segments
+    use geom_fairing_system, only: fairing_data_type, fairing_end
     use geom_stroke, only: bezier_stroke, stroke_type
     implicit none (type, external)
     private
@@ -25,7 +30,7 @@ contains
     !> Builds the chain of a view that is given by points. What is wrong is said of the card: too
     !> few points, points that are one, a line that turns back in STA.
     pure subroutine build_points(given, gap, chain, faults)
-        type(view_type), intent(in) :: given                    !! `origin%spline` or `%bezier`
+        type(view_type), intent(in) :: given                    !! by points
         real(dp), intent(in) :: gap                             !! largest gap, deck units
         type(chain_type), allocatable, intent(out) :: chain     !! where nothing is in error
         type(fault_list_type), intent(inout) :: faults          !! what is wrong is added
@@ -38,6 +43,8 @@ contains
         allocate (strokes(0))
         if (given%origin == origin%spline) then
             call spline_strokes(given, strokes, faults)
+        else if (given%origin == origin%fair) then
+            call fair_strokes(given, strokes, faults)
         else
             call bezier_strokes(given, strokes, faults)
         end if
@@ -89,6 +96,51 @@ contains
             strokes(i) = bezier_stroke(spline_segment(spline, i))
         end do
     end subroutine spline_strokes
+
+    !> The segments of the faired curve near the points, held at the first and the last.
+    pure subroutine fair_strokes(given, strokes, faults)
+        type(view_type), intent(in) :: given                        !! a faired line
+        type(stroke_type), allocatable, intent(inout) :: strokes(:) !! one from point to point
+        type(fault_list_type), intent(inout) :: faults              !! what is wrong is added
+        type(fairing_data_type) :: data
+        type(fairing_type) :: fairing
+        type(error_type), allocatable :: error
+        real(dp), allocatable :: pole(:, :, :)
+        integer :: i, last
+
+        last = size(given%piece)
+        data%ends = fairing_end%held
+        data%point = points_of(given)
+        allocate (data%weight(last), source=to_real(given%weight))
+        do i = 1, last
+            if (given%piece(i)%ending == ending%weight) &
+                data%weight(i) = piece_real(given%piece(i), 3)
+        end do
+        call fair(data, 0.0_dp, fairing, error)
+        if (allocated(error)) then
+            call blame(given%piece(last)%card, 1, error%message, faults)
+            return
+        end if
+        allocate (pole, source=uniform_segments(fairing%vertex, fairing%is_closed))
+        call put_on_stations(data%point(1, :), fairing%near)
+        pole(:, 1, :) = fairing%near(:, :last - 1)
+        pole(:, 4, :) = fairing%near(:, 2:)
+        deallocate (strokes)
+        allocate (strokes(last - 1))
+        do i = 1, last - 1
+            strokes(i) = bezier_stroke(pole(:, :, i))
+        end do
+    end subroutine fair_strokes
+
+    !> Puts the points of a faired curve on the stations of those measured where nothing but
+    !> rounding keeps them off: where the stations are even. So the joints of several lines are at
+    !> one station.
+    pure subroutine put_on_stations(station, near)
+        real(dp), intent(in) :: station(:)      !! of the measured points
+        real(dp), intent(inout) :: near(:, :)   !! points of the curve, by columns
+        where (abs(near(1, :) - station) <= type_tolerance*maxval(abs(station))) &
+            near(1, :) = station
+    end subroutine put_on_stations
 
     !> The second of the first two neighbours that are one; 1 where there are none.
     pure integer function twin(at)

@@ -153,10 +153,10 @@ module deck_body_data_fields
         body_field_type(card%cyclic, 10, 'ALPHA', form%number, need%always, 'degrees', &
         'above 0, to 180; a circular arc of that turn is exact'), &
         body_field_type(card%point, 1, 'X', form%number, need%always, 'deck unit', &
-        'a point of the spline, or a pole of the Bezier curve'), &
+        'a point of the spline or faired line, or a pole'), &
         body_field_type(card%point, 2, 'Y', form%number, need%always, 'deck unit', &
-        'a point of the spline, or a pole of the Bezier curve'), &
+        'a point of the spline or faired line, or a pole'), &
         body_field_type(card%point, 3, 'END', form%either, need%optional, 'dy/dx', &
-        'first or last point of a spline: its slope; or FREE, PARABOLA')]
+        'end of a spline: slope, FREE, PARABOLA. Point of FAIR: weight')]
 
 end module deck_body_data_fields

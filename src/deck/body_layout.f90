@@ -115,7 +115,7 @@ module deck_body_layout
         body_layout_type('CBEZIER', '', no_slope, &
         'data card: a cubic C-Bezier curve: four poles and an angle'), &
         body_layout_type('', '', '', &
-        'data card of a SPLINE or BEZIER line: one point or pole; it has no word'), &
+        'data card of a SPLINE, BEZIER or FAIR line: one point or pole; it has no word'), &
         body_layout_type('SECTION', '', '', &
         'a conic of the cross-section at every station of its lines'), &
         body_layout_type('POINTS', '', '', &

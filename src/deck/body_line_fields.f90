@@ -31,9 +31,9 @@ module deck_body_line_fields
         body_field_type(card%line, 3, 'VIEW', form%word, need%always, 'none', &
         'WL over STA, BL over STA, or degrees over STA', 'SIDE PLAN ANGLE'), &
         body_field_type(card%line, 4, 'FROM', form%either, need%optional, 'none', &
-        'line to take over, or a constant; SPLINE, BEZIER: points follow'), &
-        body_field_type(card%line, 5, 'PARAM', form%word, need%optional, 'none', &
-        'parameter of a SPLINE; without it CHORD', 'CHORD UNIFORM'), &
+        'line to take over, or a constant; SPLINE, BEZIER, FAIR: points'), &
+        body_field_type(card%line, 5, 'PARAM', form%either, need%optional, 'none', &
+        'of a SPLINE: CHORD, UNIFORM; else CHORD. FAIR: weight; else 10'), &
         body_field_type(card%section, 2, 'NAME', form%name, need%always, 'none', &
         'name of the section'), &
         body_field_type(card%section, 3, 'LINE1', form%name, need%always, 'none', &

@@ -42,7 +42,7 @@ module deck_job
         integer :: circle = 8       !! X1 Y1 X2 Y2 X3 Y3
         integer :: radius = 9       !! X1 Y1 X3 Y3 R
         integer :: cyclic = 10      !! X1 Y1 XA YA XB YB X3 Y3 ALPHA
-        integer :: point = 11       !! X Y of a spline's point or a pole; S at an end
+        integer :: point = 11       !! X Y of a point or a pole; S at an end, or its weight
     end type piece_list
     type(piece_list), parameter, public :: piece = piece_list()
 
@@ -54,14 +54,16 @@ module deck_job
         integer :: constant = 3 !! one ordinate at every station
         integer :: spline = 4   !! a spline through the points of data cards
         integer :: bezier = 5   !! the Bezier curve of the poles of data cards
+        integer :: fair = 6     !! a faired curve near the points of data cards
     end type origin_list
     type(origin_list), parameter, public :: origin = origin_list()
 
-    !> What is asked at an end of a spline.
+    !> What is asked at an end of a spline, or of a point of a faired line.
     type, public :: ending_list
         integer :: free = 1     !! no bending
         integer :: slope = 2    !! the slope on the card
         integer :: parabola = 3 !! a parabola to the next point
+        integer :: weight = 4   !! none: a point of a faired line with a weight of its own
     end type ending_list
     type(ending_list), parameter, public :: ending = ending_list()
 
@@ -115,7 +117,7 @@ module deck_job
         integer :: first_field = 1                  !! field of the card that holds `value(1)`
         logical :: is_inverse(2) = .false.          !! S1, S3 is dX/dY
         logical :: is_slope_last = .false.          !! four points: the slope is that at point 3
-        integer :: ending = 1                       !! point of a spline: one of `ending%...`
+        integer :: ending = 1                       !! of a point: one of `ending%...`
         logical :: is_knuckle = .false.             !! a slope break at its start is intended
         logical :: is_match = .false.               !! shoulder point or rho is to be found, so that
                                                     !! the curvature at its start is that before it
@@ -129,6 +131,7 @@ module deck_job
         integer :: line = 0                         !! the line it is taken from
         type(decimal_type) :: constant              !! the ordinate, deck units or degrees
         logical :: is_uniform = .false.             !! spline: 1 in its parameter between points
+        type(decimal_type) :: weight                !! faired: of points that have none themselves
         logical :: is_sound = .false.               !! none of its cards was in error
         type(card_type) :: card                     !! its LINE card
     end type view_type

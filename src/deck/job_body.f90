@@ -233,7 +233,8 @@ contains
         type(card_type), intent(in) :: card !! the card that names a line
         character(name_length), allocatable :: words(:)
         words = [character(name_length) ::]
-        if (field_text(card, 1) == 'LINE') words = [character(name_length) :: 'SPLINE', 'BEZIER']
+        if (field_text(card, 1) == 'LINE') words = [character(name_length) :: 'SPLINE', &
+            'BEZIER', 'FAIR']
     end function words_instead
 
     !> Words that remind of the body a name belongs to, where there is more than one.

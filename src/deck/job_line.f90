@@ -1,6 +1,6 @@
 !> LINE and its data cards.
 module deck_job_line
-    use base_decimal, only: to_real
+    use base_decimal, only: decimal_type, to_real
     use base_exact, only: is_zero
     use base_fault, only: fault_list_type
     use base_kinds, only: dp
@@ -9,13 +9,18 @@ module deck_job_line
     use deck_body_fields, only: fields_of
     use deck_body_layout, only: body_card, body_field_type
     use deck_body_value, only: decimal_in, is_filled, looks_like_number
-    use deck_job, only: control_line_type, ending, origin, piece, piece_type, view, view_type
+    use deck_body_word, only: suggestion, word_length
+    use deck_job, only: control_line_type, ending, origin, piece, piece_real, piece_type, view, &
+        view_type
     use deck_job_list, only: append
     use deck_job_state, only: find_line, open_line_type, state_type, text_of
     implicit none (type, external)
     private
 
     public :: take_line, refuse_line, take_piece, close_line, is_data_card, wordless_card
+
+    !> Weight of the points of a faired line: waves four points long are halved.
+    type(decimal_type), parameter :: usual_weight = decimal_type(10, 0)
 
 contains
 
@@ -34,7 +39,7 @@ contains
     !> True for a view that is given by points.
     elemental logical function by_points(from)
         integer, intent(in) :: from !! one of `origin%...`
-        by_points = from == origin%spline .or. from == origin%bezier
+        by_points = from == origin%spline .or. from == origin%bezier .or. from == origin%fair
     end function by_points
 
     !> Takes a LINE card and opens its view for data cards.
@@ -54,14 +59,14 @@ contains
             given%constant = decimal_in(card, 4)
         else if (field_text(card, 4) == 'SPLINE') then
             given%origin = origin%spline
-            given%is_uniform = field_text(card, 5) == 'UNIFORM'
         else if (field_text(card, 4) == 'BEZIER') then
             given%origin = origin%bezier
+        else if (field_text(card, 4) == 'FAIR') then
+            given%origin = origin%fair
         else if (is_filled(card, 4)) then
             given%origin = origin%line
         end if
-        if (is_filled(card, 5) .and. given%origin /= origin%spline) call warn(card, 5, &
-            'PARAM says nothing here: it is for a SPLINE', faults)
+        call take_parameter(given, faults)
         line = find_line(state, field_text(card, 2))
         if (line == 0) then
             fresh%name = text_of(field_text(card, 2))
@@ -81,6 +86,36 @@ contains
         end associate
         state%open = open_line_type(is_open=.true., line=line, view=which, origin=given%origin)
     end subroutine take_line
+
+    !> Takes field 5 of a LINE card: the parameter of a spline, the weight of a faired line.
+    pure subroutine take_parameter(given, faults)
+        type(view_type), intent(inout) :: given         !! with its card and origin
+        type(fault_list_type), intent(inout) :: faults  !! what is wrong is added
+        character(word_length), parameter :: words(2) = [character(word_length) :: &
+            'CHORD', 'UNIFORM']
+        character(:), allocatable :: text
+        integer :: before
+
+        before = faults%count
+        text = field_text(given%card, 5)
+        given%weight = usual_weight
+        given%is_uniform = text == 'UNIFORM'
+        if (text == '') return
+        if (given%origin == origin%fair) then
+            given%weight = decimal_in(given%card, 5)
+            if (.not. looks_like_number(text)) then
+                call blame(given%card, 5, 'the weight of a FAIR line is a number', faults)
+            else if (to_real(given%weight) <= 0.0_dp) then
+                call blame(given%card, 5, 'the weight of a FAIR line is above zero', faults)
+            end if
+        else if (given%origin /= origin%spline) then
+            call warn(given%card, 5, 'PARAM says nothing here: it is for a SPLINE or FAIR', faults)
+        else if (all(text /= words)) then
+            call blame(given%card, 5, 'PARAM is CHORD or UNIFORM, not '//text// &
+                suggestion(text, words), faults)
+        end if
+        given%is_sound = .not. faults%has_errors(before)
+    end subroutine take_parameter
 
     !> After a LINE card in error its data cards are looked at, but not kept.
     pure subroutine refuse_line(state)
@@ -145,11 +180,18 @@ contains
     !> Takes what stands behind a point.
     pure subroutine take_ending(item, from, faults)
         type(piece_type), intent(inout) :: item         !! the point
-        integer, intent(in) :: from                     !! `origin%spline` or `origin%bezier`
+        integer, intent(in) :: from                     !! `origin%spline`, `%bezier` or `%fair`
         type(fault_list_type), intent(inout) :: faults  !! what is wrong is added
 
         if (.not. is_filled(item%card, 3)) return
-        if (from == origin%bezier) then
+        if (from == origin%fair) then
+            item%ending = ending%weight
+            if (.not. looks_like_number(field_text(item%card, 3))) then
+                call blame(item%card, 3, 'behind a point of a FAIR line stands its weight', faults)
+            else if (piece_real(item, 3) < 0.0_dp) then
+                call blame(item%card, 3, 'a weight is zero or above', faults)
+            end if
+        else if (from == origin%bezier) then
             call blame(item%card, 3, 'a pole has no slope; the curve begins and ends along the '// &
                 'sides of its polygon', faults)
         else if (looks_like_number(field_text(item%card, 3))) then
@@ -206,6 +248,7 @@ contains
                     open%is_sound = .false.
                 end if
                 if (given%origin == origin%spline) call check_endings(open, faults)
+                if (given%origin == origin%fair) call check_ends(open, faults)
                 given%is_sound = given%is_sound .and. open%is_sound
                 allocate (given%piece(open%pieces))
                 if (open%pieces > 0) given%piece = open%piece(:open%pieces)
@@ -227,5 +270,17 @@ contains
             open%is_sound = .false.
         end do
     end subroutine check_endings
+
+    !> Warns of weights at the ends of a faired line, which is held there.
+    pure subroutine check_ends(open, faults)
+        type(open_line_type), intent(in) :: open        !! a faired line
+        type(fault_list_type), intent(inout) :: faults  !! warnings are added
+        integer :: i
+
+        do i = 1, open%pieces, max(1, open%pieces - 1)
+            if (open%piece(i)%ending == ending%weight) call warn(open%piece(i)%card, 3, &
+                'a weight at an end of a FAIR line says nothing: the line is held there', faults)
+        end do
+    end subroutine check_ends
 
 end module deck_job_line

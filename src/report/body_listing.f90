@@ -1,8 +1,10 @@
 !> The listing of a body deck, part by part in the order lofts print it: title page, then for each
-!> body its ledger, how its sections meet, offset tables, measures, clearances and cuts.
+!> body its ledger, faired lines, how its sections meet, offset tables, measures, clearances and
+!> cuts.
 module report_body_listing
     use base_output, only: output_type
     use body_body, only: body_type
+    use body_faired, only: faired_type
     use body_ledger, only: joint_type
     use body_ring_list, only: ring_type
     use cut_clearance, only: clearance_type
@@ -12,6 +14,7 @@ module report_body_listing
     use deck_job, only: job_type
     use report_clearance_listing, only: print_clearances
     use report_cut_listing, only: print_cut
+    use report_faired_listing, only: print_faired
     use report_ledger_listing, only: print_ledger
     use report_measure_listing, only: print_measures
     use report_offset_listing, only: print_offsets
@@ -37,6 +40,7 @@ module report_body_listing
     contains
         procedure :: begin
         procedure :: print_body_head
+        procedure :: print_faired_lines
         procedure :: print_body_ring
         procedure :: print_offset_tables
         procedure :: print_body_measures
@@ -80,6 +84,14 @@ contains
         end if
         call print_ledger(listing%page, joints, listing%coarse, out)
     end subroutine print_body_head
+
+    !> Prints what fairing did to the points of lines.
+    subroutine print_faired_lines(listing, faired, out)
+        class(body_listing_type), intent(inout) :: listing  !! the listing
+        type(faired_type), intent(in) :: faired(:)          !! of a body
+        type(output_type), intent(inout) :: out             !! where it goes
+        call print_faired(listing%page, faired, listing%form, out)
+    end subroutine print_faired_lines
 
     !> Prints how the sections of a body meet.
     subroutine print_body_ring(listing, body, ring, out)

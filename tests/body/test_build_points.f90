@@ -37,6 +37,28 @@ program test_build_points
     call tap%near(chain_value(chain, 2.5_dp), 6.25_dp, 1.0e-15_dp, 'the parabola of three poles')
     call tap%ok(size(chain_joints(chain)) == 0, 'is one piece')
 
+    call build('FAIR|0,1|1,3|2,5|3,7')
+    call tap%near(chain_value(chain, 1.7_dp), 4.4_dp, 1.0e-14_dp, 'points in a line are fair')
+    call build('FAIR|9,0|6,4|4,-4|0,0')
+    call tap%ok(chain_from(chain) == 0.0_dp .and. chain_to(chain) == 9.0_dp .and. &
+        chain_value(chain, 0.0_dp) == 0.0_dp .and. chain_value(chain, 9.0_dp) == 0.0_dp, &
+        'a faired line is held at its first and last point')
+    call tap%ok(size(chain_joints(chain)) == 2, '... a piece from point to point')
+    call build('FAIR,1.E9|1,1|2,4|3,9|4,16')
+    call tap%near(chain_value(chain, 2.0_dp), 4.0_dp, 1.0e-7_dp, 'heavy weights hold it anywhere')
+    call build('FAIR|0,0|1,1.|2,0|3,1.|4,0|5,1.|6,0|7,1.|8,0|9,1.|10,0')
+    call tap%near(chain_value(chain, 5.0_dp) - chain_value(chain, 4.0_dp), 0.0_dp, 0.04_dp, &
+        'of a zigzag a thirtieth is left, and a little from the ends')
+    call tap%ok(all(chain_joints(chain) == [1.0_dp, 2.0_dp, 3.0_dp, 4.0_dp, 5.0_dp, 6.0_dp, &
+        7.0_dp, 8.0_dp, 9.0_dp]), 'even stations stay what they are to the bit')
+    call build('FAIR|0,0|1,5,0|2,0,3.|3,0')
+    call tap%near(chain_value(chain, 1.0_dp), 0.0_dp, 1.0e-14_dp, 'a point of weight 0 is none')
+
+    call build('FAIR|1,1')
+    call tap%same(words_of(faults), &
+        '2:1-1 error: a faired curve near 1 points; it takes at least 2|', 'a faired point alone')
+    call build('FAIR,1.E6|1,1|5,2|2,2|9,3')
+    call tap%has(words_of(faults), 'turns past the vertical', 'a faired line that turns back')
     call build('SPLINE|1,1')
     call tap%same(words_of(faults), &
         '2:1-1 error: a spline through 1 points; it takes at least 2|', 'a point alone')

@@ -1,5 +1,6 @@
 !> LINE and its data cards.
 program test_job_line
+    use base_decimal, only: to_real
     use base_exact, only: is_equal
     use base_fault, only: fault_list_type
     use base_kinds, only: dp
@@ -169,6 +170,16 @@ contains
             call tap%ok(b%origin == origin%bezier .and. &
                 is_equal(piece_real(b%piece(2), 2), 4.0_dp), 'poles')
         end associate
+        call job_of('LINE,A,SIDE,FAIR|0,0|1,2,0|3,4|LINE,A,PLAN,FAIR,2.5|0,0|1,2', job, faults)
+        call tap%ok(.not. faults%has_errors(0), 'faired lines are read')
+        associate (a => job%body(1)%line(1)%view)
+            call tap%ok(all(a(:view%plan)%origin == origin%fair), '... as faired')
+            call tap%ok(is_equal(to_real(a(view%side)%weight), 10.0_dp) .and. &
+                is_equal(to_real(a(view%plan)%weight), 2.5_dp), 'weights, the usual one is 10')
+            call tap%ok(all(a(view%side)%piece%ending == &
+                [ending%free, ending%weight, ending%free]) .and. &
+                is_equal(piece_real(a(view%side)%piece(2), 3), 0.0_dp), 'weights of points')
+        end associate
     end subroutine points
 
     !> What is wrong with points.
@@ -185,12 +196,21 @@ contains
             '3:1-3 error: a conic under a LINE by points; a composite line is given by conics '// &
             'alone|', 'a conic among points')
         call tap%same(faults_of('LINE,A,SIDE,SPLINE|0,|3,4,,7'), '2:3-3 error: Y is missing: '// &
-            'a point of the spline, or a pole of the Bezier curve (zero is written 0.)|'// &
+            'a point of the spline or faired line, or a pole (zero is written 0.)|'// &
             '3:6-6 error: text behind the last field of the card, which is field 3|', &
             'a point cut short, and one too long')
         call tap%same(faults_of('LINE,A,SIDE,SPLINE'), '1:6-6 error: a LINE without data; its '// &
             'conics follow on data cards, or field 4 names another line or a constant|', &
             'a spline without points')
+        call tap%same(faults_of('LINE,A,SIDE,FAIR,0.|0,0|1,2,-1.|3,4'), '1:18-19 error: the '// &
+            'weight of a FAIR line is above zero|3:5-7 error: a weight is zero or above|', &
+            'weights that are none')
+        call tap%same(faults_of('LINE,A,SIDE,FAIR,CHORD|0,0|1,2,FREE|3,4,2.'), '1:18-22 error: '// &
+            'the weight of a FAIR line is a number|3:5-8 error: behind a point of a FAIR line '// &
+            'stands its weight|4:5-6 warning: a weight at an end of a FAIR line says nothing: '// &
+            'the line is held there|', 'words in place of weights')
+        call tap%same(faults_of('LINE,A,SIDE,SPLINE,UNIFROM|0,0|3,4'), '1:20-26 error: PARAM '// &
+            'is CHORD or UNIFORM, not UNIFROM; did you mean UNIFORM?|', 'a parameter misspelt')
         call tap%ok(index(faults_of('LINE,A,SIDE,3.,CHORD'), '1:16-20 warning: PARAM') == 1, &
             'a parameter without a spline is warned of')
         call tap%ok(index(faults_of('LINE,A,SIDE,SPLIEN|0,0|3,4'), '1:13-18 error: there is no '// &
