@@ -5,8 +5,9 @@
 
 BEGIN {
     widest = 100; longest_file = 300; longest_procedure = 60; most_arguments = 6
-    # Modules with nothing to run: names of kinds; interfaces to the system.
+    # Modules with nothing to run: names of kinds; interfaces to the system; plain data.
     untested["base_kinds"]; untested["base_posix"]
+    untested["export_drawing"]; untested["export_settings"]
     # Commands, proved by whole runs in tests/*.t, which see what their users see.
     untested["app_check"]; untested["app_help"]; untested["app_plot"]; untested["app_run"]
     untested["app_signals"]; untested["app_status"]; untested["app_input"]
