@@ -4,10 +4,11 @@ module body_build_view
     use base_fault, only: fault_list_type
     use base_kinds, only: dp
     use base_text, only: compact
+    use body_blend, only: blend_strokes
     use body_ledger, only: is_broken, joint_between, joint_type
     use body_piece, only: piece_stroke
     use deck_body_card, only: blame_span, warn
-    use deck_job, only: control_line_type, piece_type
+    use deck_job, only: control_line_type, piece, piece_type
     use geom_chain, only: chain_type, new_chain
     use geom_stroke, only: reversed_stroke, stroke_type
     use geom_vector, only: at_text
@@ -20,8 +21,8 @@ contains
 
     !> Builds the chain of a view from its data cards, and puts its joints at the end of the ledger.
     !> The cards may run fore or aft, also single ones of them. What is wrong is said of the card:
-    !> no arc, a turn past the vertical, a gap over `gap` (errors), a slope break that is not said
-    !> to be a KNUCKLE (a warning).
+    !> no arc, no spiral, a turn past the vertical, a gap over `gap` (errors), a slope break that is
+    !> not said to be a KNUCKLE (a warning).
     pure subroutine build_view(line, which, gap, chain, joints, faults)
         type(control_line_type), intent(in) :: line                 !! the line
         integer, intent(in) :: which                                !! one of `view%...`
@@ -61,6 +62,7 @@ contains
         integer :: i
 
         do i = 1, size(pieces)
+            if (pieces(i)%kind == piece%blend) cycle
             call piece_stroke(pieces(i), before, strokes(i), error)
             if (.not. allocated(error)) call new_chain(strokes(i:i), 0.0_dp, alone, error)
             if (allocated(error)) then
@@ -71,6 +73,7 @@ contains
                 strokes(i) = reversed_stroke(strokes(i))
             before = strokes(i)
         end do
+        call blend_strokes(pieces, strokes, faults)
     end subroutine build_strokes
 
     !> True for a stroke towards greater stations.

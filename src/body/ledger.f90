@@ -5,7 +5,7 @@ module body_ledger
     use base_exact, only: is_zero
     use base_kinds, only: dp
     use base_text, only: compact
-    use base_tolerances, only: fair_curvature, slope_resolution
+    use base_tolerances, only: agreement_ulps, fair_curvature, slope_resolution, ulp
     use deck_job, only: name_length
     use geom_joint, only: jump_between, jump_type
     use geom_place, only: at_finish, at_start
@@ -35,7 +35,18 @@ contains
         joint%jump = jump_between(before, after)
         joint%curvature = [stroke_curvature(before, at_finish), &
             stroke_curvature(after, at_start)]
+        where (abs(joint%curvature) <= max(rounding_of(before), rounding_of(after))) &
+            joint%curvature = 0.0_dp
+        joint%jump%curvature = joint%curvature(2) - joint%curvature(1)
     end function joint_between
+
+    !> The curvature, 1/deck unit, that rounded coordinates give to a stroke that is straight at an
+    !> end.
+    pure real(dp) function rounding_of(stroke)
+        type(stroke_type), intent(in) :: stroke !! any
+        rounding_of = agreement_ulps*ulp*maxval(abs([stroke%start, stroke%finish])) &
+            /norm2(stroke%finish - stroke%start)**2
+    end function rounding_of
 
     !> True where the slope breaks by more than the rounding of two punched slopes.
     pure logical function is_broken(joint)

@@ -5,7 +5,7 @@ module deck_body_data_fields
     private
 
     !> The data cards, each with its points in order from the first to the last.
-    type(body_field_type), parameter, public :: data_fields(76) = [ &
+    type(body_field_type), parameter, public :: data_fields(78) = [ &
         body_field_type(card%conic, 1, 'X1', form%number, need%always, 'deck unit', &
         'first point'), &
         body_field_type(card%conic, 2, 'Y1', form%number, need%always, 'deck unit', &
@@ -152,6 +152,10 @@ module deck_body_data_fields
         'last point'), &
         body_field_type(card%cyclic, 10, 'ALPHA', form%number, need%always, 'degrees', &
         'above 0, to 180; a circular arc of that turn is exact'), &
+        body_field_type(card%blend, 2, 'ALPHA', form%number, need%optional, 'degrees', &
+        'of the C-Bezier curve: above 0, to 90; blank: 60.'), &
+        body_field_type(card%blend, 3, 'THETA', form%number, need%optional, 'degrees', &
+        'circle to circle: between its sides, to 80; blank: the evenest'), &
         body_field_type(card%point, 1, 'X', form%number, need%always, 'deck unit', &
         'a point of the spline or faired line, or a pole'), &
         body_field_type(card%point, 2, 'Y', form%number, need%always, 'deck unit', &

@@ -69,12 +69,12 @@ module deck_body_layout
         integer :: body = 7, nose = 8, line = 9
         integer :: conic = 10, rho = 11, tangent = 12, tangent_rho = 13, four_points = 14
         integer :: five_points = 15, straight = 16, circle = 17, radius = 18
-        integer :: cyclic = 19, point = 20
-        integer :: section = 21
-        integer :: points = 22, limit = 23, flange = 24, skin = 25
-        integer :: station = 26, stations = 27, buttock = 28, waterline = 29, oblique = 30, &
-            plane = 31
-        integer :: check_point = 32, check_sphere = 33, check_box = 34, end = 35
+        integer :: cyclic = 19, blend = 20, point = 21
+        integer :: section = 22
+        integer :: points = 23, limit = 24, flange = 25, skin = 26
+        integer :: station = 27, stations = 28, buttock = 29, waterline = 30, oblique = 31, &
+            plane = 32
+        integer :: check_point = 33, check_sphere = 34, check_box = 35, end = 36
     end type body_card_list
 
     !> Which card is which.
@@ -85,7 +85,7 @@ module deck_body_layout
         one_slope = 'LAST DXDY KNUCKLE', no_slope = 'KNUCKLE'
 
     !> The cards of a body deck besides TITLE and UNITS.
-    type(body_layout_type), parameter, public :: body_layout(35) = [ &
+    type(body_layout_type), parameter, public :: body_layout(36) = [ &
         body_layout_type('OUTPUT', '', '', &
         'unit of the listing; CSV and files keep the unit of the deck'), &
         body_layout_type('DIGITS', '', '', 'decimals of the ordinates in the listing'), &
@@ -114,6 +114,8 @@ module deck_body_layout
         'data card: the circular arc of at most 180 degrees between two points'), &
         body_layout_type('CBEZIER', '', no_slope, &
         'data card: a cubic C-Bezier curve: four poles and an angle'), &
+        body_layout_type('BLEND', '', '', &
+        'data card: a spiral that joins the lines or circles of the cards before and behind it'), &
         body_layout_type('', '', '', &
         'data card of a SPLINE, BEZIER or FAIR line: one point or pole; it has no word'), &
         body_layout_type('SECTION', '', '', &

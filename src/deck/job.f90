@@ -42,7 +42,8 @@ module deck_job
         integer :: circle = 8       !! X1 Y1 X2 Y2 X3 Y3
         integer :: radius = 9       !! X1 Y1 X3 Y3 R
         integer :: cyclic = 10      !! X1 Y1 XA YA XB YB X3 Y3 ALPHA
-        integer :: point = 11       !! X Y of a point or a pole; S at an end, or its weight
+        integer :: blend = 11       !! ALPHA THETA, 0 where blank
+        integer :: point = 12       !! X Y of a point or a pole; S at an end, or its weight
     end type piece_list
     type(piece_list), parameter, public :: piece = piece_list()
 

@@ -96,7 +96,7 @@ contains
             call blame(card, 1, word//' begins no card (see loft help cards)'// &
                 suggestion(word, card_word), faults)
         end if
-        do i = body_card%rho, body_card%cyclic
+        do i = body_card%rho, body_card%blend
             if (body_layout(i)%word == nearest_word(word, card_word)) state%open%is_sound = .false.
         end do
     end subroutine blame_word

@@ -12,6 +12,7 @@ module deck_job_line
     use deck_body_word, only: suggestion, word_length
     use deck_job, only: control_line_type, ending, origin, piece, piece_real, piece_type, view, &
         view_type
+    use deck_job_blend, only: check_blend, check_last_blend
     use deck_job_list, only: append
     use deck_job_state, only: find_line, open_line_type, state_type, text_of
     implicit none (type, external)
@@ -151,6 +152,7 @@ contains
             call take_ending(item, state%open%origin, faults)
         else
             call check_piece(item, state%open%pieces == 0, faults)
+            call check_blend(state%open, item, faults)
         end if
         call append(state%open%piece, state%open%pieces, item)
     end subroutine take_piece
@@ -249,6 +251,7 @@ contains
                 end if
                 if (given%origin == origin%spline) call check_endings(open, faults)
                 if (given%origin == origin%fair) call check_ends(open, faults)
+                call check_last_blend(open, faults)
                 given%is_sound = given%is_sound .and. open%is_sound
                 allocate (given%piece(open%pieces))
                 if (open%pieces > 0) given%piece = open%piece(:open%pieces)
