@@ -7,7 +7,7 @@ module export_drawing_fit
     use export_drawing, only: curve_type
     use export_drawing_conic, only: find_conic
     use export_drawing_path, only: path_type
-    use export_drawing_sample, only: sample_curve, sampled_type
+    use export_drawing_sample, only: hopeless, sample_curve, sampled_type
     use geom_arc, only: arc_type
     use geom_arc_spline, only: arc_spline
     use geom_bspline, only: bspline_type, spline_breaks, spline_jet
@@ -17,9 +17,9 @@ module export_drawing_fit
 
     public :: flat_curve, fitted_curve, arc_curve, measure_spline
 
-    !> Share of the tolerance that the samples of a curve may miss it by, and share that is left for
-    !> the spline through them.
-    real(dp), parameter :: for_samples = 0.01_dp, for_spline = 0.95_dp
+    !> Share of the tolerance that the samples of a curve may miss it by (a jump by all of it is then
+    !> hopeless), and share that is left for the spline through them.
+    real(dp), parameter :: for_samples = 1.0_dp/hopeless, for_spline = 0.95_dp
     !> Points of a span, and of a curve, at which its distance is measured at least.
     integer, parameter :: span_points = 8, curve_points = 64
 

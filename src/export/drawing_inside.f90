@@ -111,7 +111,10 @@ contains
         part%patch = inside%patch(patches(1):patches(2))
         part%until = inside%until(patches(1):patches(2))
         call flat_curve(part, limits(1), limits(2), curve, error)
-        if (allocated(error)) return
+        if (allocated(error)) then
+            error%message = 'inside of the skin: '//error%message
+            return
+        end if
         curve%section = inside%outside%name
         call add(list, curve)
     end subroutine draw_part

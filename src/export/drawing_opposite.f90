@@ -36,6 +36,8 @@ module export_drawing_opposite
     integer, parameter :: most_stretches = 10000
     !> Sine of the angle between plane and skin below which the skin is not passed through.
     real(dp), parameter :: grazing = 1.0e-6_dp
+    !> How far the inside may be, in thicknesses of a flat skin.
+    real(dp), parameter :: furthest = 8.0_dp
 
 contains
 
@@ -132,7 +134,21 @@ contains
         if (is_found) is_found = -dot_product(foot%normal, inward) > grazing
         if (is_found) call settle_inside(inside%body, inside%thickness, inward, from, foot, &
             is_found)
+        if (is_found) is_found = is_near(inside, from, inward, foot)
     end subroutine find_foot
+
+    !> True for an inside that is ahead, and no further than a skin bent a little can be.
+    pure logical function is_near(inside, from, inward, foot)
+        type(opposite_type), intent(in) :: inside   !! any
+        real(dp), intent(in) :: from(3)             !! where the way inside begins
+        real(dp), intent(in) :: inward(3)           !! unit vector
+        type(foot_type), intent(in) :: foot         !! where it was found
+        real(dp) :: ahead, slope
+        ahead = dot_product(foot%at - inside%thickness*foot%normal - from, inward)
+        slope = -dot_product(foot%normal, inward)
+        is_near = slope > grazing .and. ahead > 0.0_dp .and. &
+            ahead*slope <= furthest*inside%thickness
+    end function is_near
 
     !> The foot of the inside, in small steps of the thickness and on any section: near the end of
     !> a section a long step leaves it.

@@ -19,6 +19,8 @@ module export_drawing_sample
     !> Panels there may be, and the shortest one that is halved: what is left there is a jump.
     integer, parameter :: most_panels = 256
     real(dp), parameter :: shortest = 1.0e-9_dp
+    !> A jump by so many tolerances is not sampled beyond.
+    real(dp), parameter, public :: hopeless = 100.0_dp
 
     !> One panel.
     type :: panel_type
@@ -38,7 +40,8 @@ module export_drawing_sample
 contains
 
     !> Samples a curve until the samples give what is between them within a tolerance, as far as
-    !> `most_panels` go.
+    !> `most_panels` go. Where the curve jumps by more than `hopeless` tolerances it is given up:
+    !> `rest` says by how much, and the samples end there.
     pure subroutine sample_curve(curve, tolerance, sampled)
         class(curve_function_type), intent(in) :: curve !! any
         real(dp), intent(in) :: tolerance               !! deck units
@@ -60,10 +63,11 @@ contains
                 call halve(curve, panel(i), panel(i + 1))
             else
                 sampled%rest = max(sampled%rest, off)
+                if (off > hopeless*tolerance .and. count < most_panels) exit
                 i = i + 1
             end if
         end do
-        sampled%panel = panel(:count)
+        sampled%panel = panel(:min(i, count))
     end subroutine sample_curve
 
     !> Makes two panels of one.

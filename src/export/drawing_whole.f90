@@ -150,7 +150,7 @@ contains
     pure real(dp) function turned(plane, x)
         type(plane_type), intent(in) :: plane   !! across BL 0
         real(dp), intent(in) :: x               !! u or v, along BL, deck units
-        turned = -2.0_dp*plane%origin(2) - x
+        turned = (0.0_dp - x) - 2.0_dp*plane%origin(2)
     end function turned
 
     !> The mirror image of an arc in BL 0, as it runs.
