@@ -11,6 +11,7 @@ module export_drawing_stretch
     use body_line, only: line_type
     use export_drawing, only: curve_type
     use export_drawing_conic, only: distance_off
+    use export_drawing_degree, only: limit_degree, most_degree
     use export_drawing_fit, only: fitted_curve
     use export_drawing_path, only: paced, pace_of
     use geom_arc_spline, only: line_spline
@@ -121,17 +122,26 @@ contains
         end do
     end function stretch_at
 
-    !> The curve of a stretch. Fails with `cause%no_convergence` where it can't be fitted.
+    !> The curve of a stretch; of one of high degree, one of lower degree near it. Fails with
+    !> `cause%no_convergence` where it can't be fitted.
     pure subroutine draw_stretch(stretch, tolerance, curve, error)
         type(stretch_type), intent(in) :: stretch           !! between joints
         real(dp), intent(in) :: tolerance                   !! of a fitted curve, deck units
         type(curve_type), intent(out) :: curve              !! in space
         type(error_type), allocatable, intent(out) :: error !! see above
+        real(dp) :: apart
         logical :: is_one
 
         call join_views(stretch, curve%spline, is_one)
         if (is_one) call prove(stretch, curve)
-        if (curve%is_exact) then
+        is_one = curve%is_exact
+        if (is_one .and. curve%spline%degree > most_degree) then
+            call limit_degree(curve%spline, tolerance, apart)
+            call prove(stretch, curve)
+            curve%is_exact = curve%is_exact .and. apart <= 0.0_dp
+            curve%error = max(curve%error, apart)
+        end if
+        if (is_one) then
             curve%section = ''
             curve%is_conic = stretch%view(1)%is_constant .and. .not. stretch%view(2)%is_constant
             associate (side => stretch%view(2)%stroke)

@@ -5,8 +5,10 @@ program test_drawing_stretch
     use body_line, only: line_type
     use export_drawing, only: curve_type
     use export_drawing_stretch, only: draw_stretch, stretch_of, stretch_type
+    use geom_bezier, only: bezier_raised
     use geom_bspline, only: spline_point
-    use geom_chain, only: chain_type, chain_value
+    use geom_chain, only: chain_type, chain_value, new_chain
+    use geom_stroke, only: bezier_stroke
     use geom_triangle, only: end_type
     use support_bodies, only: conic_view, constant_view, control_line, half_ellipse, straight_view
     use support_tap, only: tap_type
@@ -71,6 +73,7 @@ program test_drawing_stretch
         before = next
     end do
     call tap%ok(fastest < 4.0_dp*slowest, 'its vertical ends are run through at an even speed')
+    call check_degrees()
     call tap%finish()
 
 contains
@@ -86,6 +89,45 @@ contains
         at = spline_point(curve%spline, 1.0_dp)
         call tap%near(at(1), ends(2), 0.0_dp, 'to its last station')
     end subroutine go
+
+    !> Bezier lines: exact to degree 9, in pieces of degree 5 above, exact again where only raised.
+    subroutine check_degrees()
+        type(chain_type) :: wavy
+        real(dp) :: pole(2, 25), worst, at(3)
+        integer :: i
+
+        pole = 0.0_dp
+        do i = 1, 25
+            pole(:, i) = [10.0_dp + 40.0_dp*real(i - 1, dp)/24.0_dp, &
+                8.0_dp + 9.0_dp*sin(real(i, dp))]
+        end do
+        wavy = bezier_view(pole)
+        call go(control_line('J', wavy, constant_view(3.0_dp)), 'of degree 24')
+        call tap%ok(curve%spline%degree == 5 .and. .not. curve%is_exact, 'is drawn in degree 5')
+        call tap%ok(curve%error > 0.0_dp .and. curve%error <= 1.0e-6_dp, 'within the tolerance')
+        worst = 0.0_dp
+        do i = 0, 1000
+            at = spline_point(curve%spline, real(i, dp)/1000.0_dp)
+            worst = max(worst, abs(at(3) - chain_value(wavy, at(1))))
+        end do
+        call tap%ok(worst <= 2.0e-6_dp .and. worst > 0.0_dp, 'as is seen along it')
+        pole(1, :9) = [(10.0_dp + 5.0_dp*real(i - 1, dp), i=1, 9)]
+        call go(control_line('K', bezier_view(pole(:, :9)), constant_view(3.0_dp)), 'of degree 8')
+        call tap%ok(curve%spline%degree == 8 .and. curve%is_exact, 'is itself')
+        do i = 9, 12
+            pole(:, :i + 1) = bezier_raised(pole(:, :i))
+        end do
+        call go(control_line('L', bezier_view(pole(:, :13)), constant_view(3.0_dp)), 'raised to 12')
+        call tap%ok(curve%spline%degree == 8 .and. curve%is_exact, 'is of degree 8 again')
+    end subroutine check_degrees
+
+    !> A Bezier curve as a view.
+    type(chain_type) function bezier_view(pole) result(view)
+        real(dp), intent(in) :: pole(:, :)
+        type(error_type), allocatable :: error
+        call new_chain([bezier_stroke(pole)], 0.0_dp, view, error)
+        call tap%ok(.not. allocated(error), 'a Bezier curve is a view')
+    end function bezier_view
 
     !> Judges a view against the arch.
     subroutine on_arch(axis, rise)

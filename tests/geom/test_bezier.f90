@@ -15,6 +15,7 @@ program test_bezier
 
     call check_facts(tap)
     call check_bernstein(tap)
+    call check_approximation()
     call check_any_curve(tap)
     call tap%finish()
 
@@ -74,6 +75,53 @@ contains
         end do
         call tap%near(sum, 0.641405242767585_dp, 1.0e-15_dp, 'Bernstein approximation of sin')
     end subroutine check_bernstein
+
+    !> Bernstein approximation: B(s**2) = s**2 + s (1 - s)/m (the seed prints s (s - 1)), lines are
+    !> kept, the poles are those of a polynomial's derivatives at an end (4), and derivatives keep
+    !> their bounds (theorem 2.1, for exp).
+    subroutine check_approximation()
+        integer, parameter :: degrees(3) = [3, 5, 9]
+        real(dp), allocatable :: pole(:, :)
+        real(dp) :: at(1), scale, worst
+        integer :: i, m, p
+        logical :: is_bounded
+
+        worst = 0.0_dp
+        do m = 2, 8
+            at = bezier_point(reshape([((real(i, dp)/real(m, dp))**2, i=0, m)], [1, m + 1]), 0.3_dp)
+            worst = max(worst, abs(at(1) - 0.09_dp - 0.21_dp/real(m, dp)))
+            at = bezier_point(reshape([(2.0_dp - real(i, dp)/real(m, dp), i=0, m)], [1, m + 1]), &
+                0.3_dp)
+            worst = max(worst, abs(at(1) - 1.7_dp))
+        end do
+        call tap%near(worst, 0.0_dp, 1.0e-15_dp, 'of s**2 and of lines')
+        at = bezier_point(reshape([0.0_dp, 0.25_dp, 1.0_dp], [1, 3]), 0.5_dp)
+        call tap%near(at(1), 0.375_dp, 0.0_dp, 'B2 of s**2 at .5')
+        at = bezier_point(reshape([((real(i, dp)/8.0_dp)**2, i=0, 8)], [1, 9]), 0.5_dp)
+        call tap%near(at(1), 0.28125_dp, 1.0e-16_dp, 'B8 of s**2 at .5')
+        ! 1 + 2 s + 3 s**2 - s**3: its derivatives at 0 are 1, 2, 6, -6.
+        worst = 0.0_dp
+        do i = 0, 10
+            at = bezier_point(reshape([(1.0_dp + real(2*p, dp)/3.0_dp + real(p*(p - 1), dp)/2.0_dp &
+                - real(p*(p - 1)*(p - 2), dp)/6.0_dp, p=0, 3)], [1, 4]), 0.1_dp*real(i, dp))
+            scale = 0.1_dp*real(i, dp)
+            worst = max(worst, abs(at(1) - 1.0_dp - scale*(2.0_dp + scale*(3.0_dp - scale))))
+        end do
+        call tap%near(worst, 0.0_dp, 1.0e-14_dp, 'poles of a cubic from its derivatives at 0')
+        is_bounded = .true.
+        do m = 1, 3
+            pole = reshape([(exp(real(i, dp)/real(degrees(m), dp)), i=0, degrees(m))], &
+                [1, degrees(m) + 1])
+            scale = 1.0_dp
+            do p = 1, degrees(m)
+                pole = bezier_derivative(pole)
+                scale = scale*real(degrees(m), dp)/real(degrees(m) + 1 - p, dp)
+                is_bounded = is_bounded .and. all(scale*pole >= 1.0_dp) &
+                    .and. all(scale*pole <= exp(1.0_dp))
+            end do
+        end do
+        call tap%ok(is_bounded, 'derivatives keep the bounds of those of exp')
+    end subroutine check_approximation
 
     !> What holds of all curves: parts, elevation, reversal, affine images, the hull, and no more
     !> crossings of a line than the polygon has.
