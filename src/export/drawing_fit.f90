@@ -17,8 +17,8 @@ module export_drawing_fit
 
     public :: flat_curve, fitted_curve, arc_curve, measure_spline
 
-    !> Share of the tolerance that the samples of a curve may miss it by (a jump by all of it is then
-    !> hopeless), and share that is left for the spline through them.
+    !> Share of the tolerance that the samples of a curve may miss it by (a jump by all of it is
+    !> then hopeless), and share that is left for the spline through them.
     real(dp), parameter :: for_samples = 1.0_dp/hopeless, for_spline = 0.95_dp
     !> Points of a span, and of a curve, at which its distance is measured at least.
     integer, parameter :: span_points = 8, curve_points = 64

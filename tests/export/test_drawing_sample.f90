@@ -27,7 +27,8 @@ program test_drawing_sample
     path = plane_path_type(form=form%step, axes=[1.0_dp, 1.0_dp])
     call sample_curve(path, 1.0e-9_dp, sampled)
     call tap%ok(size(sampled%panel) < 40, 'a jump takes panels down to 1e-9 of the parameter')
-    call tap%near(sampled%panel(size(sampled%panel))%from, 0.5_dp, 1.0e-8_dp, 'where it is given up')
+    call tap%near(sampled%panel(size(sampled%panel))%from, 0.5_dp, 1.0e-8_dp, &
+        'where it is given up')
     call tap%ok(sampled%rest > 0.1_dp, 'what is left is told')
     call tap%finish()
 
