@@ -11,6 +11,7 @@ module app_computed_body
     use body_build, only: build_body
     use body_gap, only: gap_type, section_gaps
     use body_ledger, only: joint_type
+    use body_outline, only: build_outlines, outline_type
     use body_ring, only: ring_of
     use body_ring_list, only: ring_type
     use cut_clearance, only: check_clearance, clearance_type, component_kind, component_type
@@ -40,6 +41,7 @@ module app_computed_body
         type(offset_table_type) :: half_breadths                    !! on the waterlines
         type(body_measure_type) :: measure                          !! areas and volume
         type(clearance_type), allocatable :: clearances(:)          !! of its components
+        type(outline_type), allocatable :: outlines(:)              !! its faired outlines
     end type computed_body_type
 
 contains
@@ -95,6 +97,7 @@ contains
         integer :: i
 
         call build_body(job, number, computed%body, computed%joints, faults)
+        call build_outlines(job%body(number), computed%outlines, faults)
         allocate (computed%cuts(0), computed%clearances(0))
         computed%sections = computed%body%sections%name
         call report_gaps(job%body(number), computed%body, faults)

@@ -11,12 +11,14 @@ module app_export_body
     use base_fault, only: fault_list_type
     use base_text, only: to_text
     use body_body, only: body_type
+    use cut_faired, only: measured_cut
     use cut_outline, only: cut_type
     use cut_plane, only: cut_kind
     use deck_job, only: job_type
     use deck_job_reader, only: read_job
     use export_drawing, only: drawing_type, shape_type
     use export_drawing_cut, only: draw_cut
+    use export_drawing_faired, only: outline_shape
     use export_drawing_line, only: draw_line
     use export_drawing_name, only: cut_name, make_unique
     implicit none (type, external)
@@ -76,7 +78,8 @@ contains
         end do
     end subroutine add_stations
 
-    !> Draws the cuts that are wanted and, for files that have them, the control lines.
+    !> Draws the cuts and faired outlines that are wanted and, for files that have them, the control
+    !> lines.
     !>
     !> Fails with `cause%usage` where a cut is asked that the deck has not, and where a curve can't
     !> be drawn.
@@ -88,12 +91,16 @@ contains
         type(error_type), allocatable, intent(out) :: error !! see above
         type(cut_type), allocatable :: cuts(:)
         type(drawing_type) :: named
+        type(shape_type) :: shape
         logical, allocatable :: is_chosen(:)
         integer :: i, k, number
 
         allocate (cuts(0))
         do i = 1, size(computed)
             cuts = [cuts, computed(i)%cuts]
+            do k = 1, size(computed(i)%outlines)
+                cuts = [cuts, measured_cut(computed(i)%outlines(k))]
+            end do
         end do
         call name_cuts(cuts, named)
         call choose_cuts(request%cuts, named%cuts, cuts%name, is_chosen, error)
@@ -107,6 +114,15 @@ contains
                 call tell_progress('drawing cut '//to_text(number)//' of '//to_text(size(cuts)))
                 call add_cut(computed(i)%body, cuts(number), named%cuts(number), request, parts, &
                     error)
+            end do
+            do k = 1, size(computed(i)%outlines)
+                number = number + 1
+                if (allocated(error)) return
+                if (.not. is_chosen(number)) cycle
+                shape = outline_shape(computed(i)%outlines(k))
+                shape%name = named%cuts(number)%name
+                shape%number = number
+                parts%drawing%cuts = [parts%drawing%cuts, shape]
             end do
             if (has_lines .and. .not. allocated(error)) &
                 call add_lines(computed(i)%body, request, parts, error)

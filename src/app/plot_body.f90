@@ -5,14 +5,17 @@ module app_plot_body
     use app_files, only: base_name, result_file_type
     use app_input, only: deck_input_type
     use app_picture_folder, only: add_picture, begin_folder, folder_type
+    use app_picture_name, only: cut_name
     use app_plan_cuts, only: closely, plan_cuts
     use app_requests, only: requests_of
     use base_error, only: error_type
     use base_fault, only: fault_list_type
     use base_kinds, only: dp
     use base_output, only: output_type
-    use base_text, only: row_of, to_text
+    use base_text, only: to_text
     use body_body, only: body_type
+    use body_outline, only: outline_type
+    use cut_faired, only: faired_cut, measured_cut
     use cut_make, only: make_cut
     use cut_outline, only: cut_type
     use cut_plane, only: cut_kind, plane_type
@@ -21,8 +24,8 @@ module app_plot_body
     use deck_job_reader, only: read_job
     use export_body_area, only: area_drawing
     use export_body_combs, only: combs_drawing
-    use export_body_cut, only: cut_drawing, kind_word
-    use export_body_drawing, only: drawing_type, mark_of
+    use export_body_cut, only: cut_drawing
+    use export_body_drawing, only: drawing_type
     use export_body_gnuplot, only: print_drawing_data, print_drawing_script
     use export_body_lines, only: find_corners, lines_plan
     use export_body_view, only: view_drawing
@@ -35,6 +38,9 @@ module app_plot_body
     !> The scripts that those of the pictures load.
     character(*), parameter :: shared_scripts(5) = [character(10) :: 'style.gp', 'strokes.gp', &
         'sheet.gp', 'chart.gp', 'space.gp']
+
+    !> Points that draw a faired outline: more than the eye can tell.
+    integer, parameter :: points_drawn = 360
 
     !> What the pictures of a deck have in common.
     type :: deck_type
@@ -95,17 +101,19 @@ contains
         type(computed_body_type), allocatable :: computed(:)
         type(body_type), allocatable :: bodies(:)
         type(cut_type), allocatable :: asked(:)
-        integer :: i
+        integer :: i, outlines
 
         allocate (computed(size(deck%job%body)), asked(0), bodies(0))
+        outlines = 0
         do i = 1, size(computed)
             call compute_body(deck%job, i, computed(i), faults)
             asked = [asked, computed(i)%cuts]
+            outlines = outlines + size(computed(i)%outlines)
             if (size(computed(i)%body%sections) > 0) bodies = [bodies, computed(i)%body]
         end do
-        if (size(bodies) == 0) return
+        if (size(bodies) + outlines == 0) return
         call begin_folder(folder, shared_scripts, error)
-        if (.not. allocated(error)) then
+        if (.not. allocated(error) .and. size(bodies) > 0) then
             call write_drawing(lines_plan(bodies, plan_cuts(bodies, asked), deck%heading, &
                 deck%unit), 'lines', folder, error)
             if (.not. allocated(error)) call write_drawing(view_drawing(bodies, deck%heading, &
@@ -134,14 +142,42 @@ contains
             heading = heading//', '//trim(computed%body%name)
             mark = '-'//to_text(number)
         end if
-        if (size(computed%body%sections) == 0) return
+        if (size(computed%body%sections) == 0) then
+            call plot_outlines(deck, computed%outlines, heading, folder, error)
+            return
+        end if
         call write_drawing(combs_drawing(computed%body, heading, deck%unit), 'combs'//mark, &
             folder, error)
         if (.not. allocated(error)) call write_drawing(area_drawing(computed%body, &
             computed%measure, stations_of(computed%cuts), heading, deck%unit), 'area'//mark, &
             folder, error)
         if (.not. allocated(error)) call plot_cuts(deck, computed, number, heading, folder, error)
+        if (.not. allocated(error)) call plot_outlines(deck, computed%outlines, heading, folder, &
+            error)
     end subroutine plot_one
+
+    !> Writes the pictures of faired outlines, each over its measured points.
+    !>
+    !> Fails with `cause%file_trouble`.
+    subroutine plot_outlines(deck, outlines, heading, folder, error)
+        type(deck_type), intent(inout) :: deck              !! counts the cuts
+        type(outline_type), intent(in) :: outlines(:)       !! of a body
+        character(*), intent(in) :: heading                 !! of the pictures
+        type(folder_type), intent(inout) :: folder          !! gets the pictures
+        type(error_type), allocatable, intent(out) :: error !! see above
+        type(cut_type) :: measured, shape
+        integer :: i
+
+        do i = 1, size(outlines)
+            measured = measured_cut(outlines(i))
+            call faired_cut(outlines(i), points_drawn, shape, error)
+            if (allocated(error)) return
+            deck%cuts = deck%cuts + 1
+            call write_drawing(cut_drawing(measured, shape, deck%cuts, .false., heading, &
+                deck%unit), cut_name(deck%cuts, measured), folder, error)
+            if (allocated(error)) return
+        end do
+    end subroutine plot_outlines
 
     !> Writes the pictures of the cuts of a body. Their shapes are cut again, as closely as the eye
     !> can tell.
@@ -209,43 +245,6 @@ contains
         stations = pack([(cuts(i)%plane%through(1), i = 1, size(cuts))], &
             cuts%plane%kind == cut_kind%station)
     end function stations_of
-
-    !> The name of the files of a cut: `cut-01-station-20`, `cut-12-oblique-firewall`.
-    pure function cut_name(number, cut) result(name)
-        integer, intent(in) :: number       !! of the cut in its deck
-        type(cut_type), intent(in) :: cut   !! the cut
-        character(:), allocatable :: name
-        integer :: axis
-
-        name = to_text(number)
-        name = 'cut-'//row_of('0', 2 - len(name))//name//'-'//kind_word(cut%plane%kind)
-        axis = cut%plane%kind
-        if (axis <= cut_kind%waterline) &
-            name = name//'-'//safe_word(mark_of(cut%plane%through(axis)))
-        if (safe_word(cut%name) /= '') name = name//'-'//safe_word(cut%name)
-    end function cut_name
-
-    !> A text as a word of small letters, figures, points and hyphens; `minus-` for a minus sign.
-    pure function safe_word(text) result(word)
-        character(*), intent(in) :: text !! any bytes
-        character(:), allocatable :: word
-        integer :: i
-
-        word = ''
-        do i = 1, len_trim(text)
-            select case (text(i:i))
-            case ('a':'z', '0':'9', '.')
-                word = word//text(i:i)
-            case ('A':'Z')
-                word = word//achar(iachar(text(i:i)) + 32)
-            case ('-')
-                if (word == '') word = word//'minus'
-                word = word//'-'
-            case default
-                word = word//'-'
-            end select
-        end do
-    end function safe_word
 
     !> Writes data and script of a drawing, where there is something on it.
     !>

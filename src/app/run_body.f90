@@ -10,6 +10,8 @@ module app_run_body
     use base_fault, only: fault_list_type
     use base_output, only: output_type
     use body_faired, only: faired_views
+    use cut_faired, only: faired_cut, points_around
+    use cut_outline, only: cut_type
     use deck_job, only: job_type
     use deck_job_reader, only: read_job
     use report_body_listing, only: body_listing_type
@@ -63,6 +65,8 @@ contains
         type(output_type), intent(inout) :: out         !! where it goes
         type(fault_list_type), intent(inout) :: faults  !! what is wrong is added
         type(computed_body_type) :: computed
+        type(cut_type) :: cut
+        type(error_type), allocatable :: error
         integer :: i, k, number
 
         call print_cut_csv_header(out)
@@ -72,6 +76,12 @@ contains
             do k = 1, size(computed%cuts)
                 number = number + 1
                 call print_cut_csv(number, computed%cuts(k), computed%sections, out)
+            end do
+            do k = 1, size(computed%outlines)
+                number = number + 1
+                call faired_cut(computed%outlines(k), points_around, cut, error)
+                if (allocated(error)) cycle
+                call print_cut_csv(number, cut, [computed%outlines(k)%name], out)
             end do
         end do
     end subroutine print_csv
@@ -98,6 +108,9 @@ contains
             call listing%print_body_clearances(computed%clearances, out)
             do k = 1, size(computed%cuts)
                 call listing%print_body_cut(computed%cuts(k), computed%sections, out)
+            end do
+            do k = 1, size(computed%outlines)
+                call listing%print_body_outline(computed%outlines(k), out)
             end do
         end do
     end subroutine print_listing

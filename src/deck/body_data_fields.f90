@@ -157,10 +157,10 @@ module deck_body_data_fields
         body_field_type(card%blend, 3, 'THETA', form%number, need%optional, 'degrees', &
         'circle to circle: between its sides, to 80; blank: the evenest'), &
         body_field_type(card%point, 1, 'X', form%number, need%always, 'deck unit', &
-        'a point of the spline or faired line, or a pole'), &
+        'of a point or pole; under FAIRED the BL'), &
         body_field_type(card%point, 2, 'Y', form%number, need%always, 'deck unit', &
-        'a point of the spline or faired line, or a pole'), &
+        'of a point or pole; under FAIRED the WL'), &
         body_field_type(card%point, 3, 'END', form%either, need%optional, 'dy/dx', &
-        'end of a spline: slope, FREE, PARABOLA. Point of FAIR: weight')]
+        'end of a SPLINE: slope, FREE, PARABOLA; a point faired: weight')]
 
 end module deck_body_data_fields

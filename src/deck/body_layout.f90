@@ -70,11 +70,11 @@ module deck_body_layout
         integer :: conic = 10, rho = 11, tangent = 12, tangent_rho = 13, four_points = 14
         integer :: five_points = 15, straight = 16, circle = 17, radius = 18
         integer :: cyclic = 19, blend = 20, point = 21
-        integer :: section = 22
-        integer :: points = 23, limit = 24, flange = 25, skin = 26
-        integer :: station = 27, stations = 28, buttock = 29, waterline = 30, oblique = 31, &
-            plane = 32
-        integer :: check_point = 33, check_sphere = 34, check_box = 35, end = 36
+        integer :: section = 22, faired = 23
+        integer :: points = 24, limit = 25, flange = 26, skin = 27
+        integer :: station = 28, stations = 29, buttock = 30, waterline = 31, oblique = 32, &
+            plane = 33
+        integer :: check_point = 34, check_sphere = 35, check_box = 36, end = 37
     end type body_card_list
 
     !> Which card is which.
@@ -85,7 +85,7 @@ module deck_body_layout
         one_slope = 'LAST DXDY KNUCKLE', no_slope = 'KNUCKLE'
 
     !> The cards of a body deck besides TITLE and UNITS.
-    type(body_layout_type), parameter, public :: body_layout(36) = [ &
+    type(body_layout_type), parameter, public :: body_layout(37) = [ &
         body_layout_type('OUTPUT', '', '', &
         'unit of the listing; CSV and files keep the unit of the deck'), &
         body_layout_type('DIGITS', '', '', 'decimals of the ordinates in the listing'), &
@@ -117,9 +117,11 @@ module deck_body_layout
         body_layout_type('BLEND', '', '', &
         'data card: a spiral that joins the lines or circles of the cards before and behind it'), &
         body_layout_type('', '', '', &
-        'data card of a SPLINE, BEZIER or FAIR line: one point or pole; it has no word'), &
+        'data card of a SPLINE, BEZIER or FAIR line, or of FAIRED: one point; it has no word'), &
         body_layout_type('SECTION', '', '', &
         'a conic of the cross-section at every station of its lines'), &
+        body_layout_type('FAIRED', '', '', &
+        'a closed outline at a station, faired near the points that follow; stands by itself'), &
         body_layout_type('POINTS', '', '', &
         'how the points are spread on the cuts that follow and give no step themselves'), &
         body_layout_type('LIMIT', '', '', 'limits the cuts that follow'), &

@@ -24,8 +24,8 @@ module deck_body_line_fields
         body_field_type(card%nose, 2, 'R', form%number, need%always, 'deck unit', &
         'radius of the nose, above zero')]
 
-    !> LINE and SECTION.
-    type(body_field_type), parameter, public :: line_fields(13) = [ &
+    !> LINE, SECTION and FAIRED.
+    type(body_field_type), parameter, public :: line_fields(18) = [ &
         body_field_type(card%line, 2, 'NAME', form%name, need%always, 'none', &
         'name of the line'), &
         body_field_type(card%line, 3, 'VIEW', form%word, need%always, 'none', &
@@ -51,6 +51,16 @@ module deck_body_line_fields
         body_field_type(card%section, 9, 'TO', form%number, need%optional, 'deck unit', &
         'last station it is limited to'), &
         body_field_type(card%section, 10, 'SIDE', form%word, need%optional, 'none', &
-        'with SYMMETRY NO: PORT mirrors it, BOTH does both', 'STBD PORT BOTH')]
+        'with SYMMETRY NO: PORT mirrors it, BOTH does both', 'STBD PORT BOTH'), &
+        body_field_type(card%faired, 2, 'NAME', form%name, need%always, 'none', &
+        'name of the outline'), &
+        body_field_type(card%faired, 3, 'STA', form%number, need%always, 'deck unit', &
+        'its station'), &
+        body_field_type(card%faired, 4, 'WEIGHT', form%number, need%optional, 'none', &
+        'of its points: the more, the nearer; without it 10'), &
+        body_field_type(card%faired, 5, 'BETA', form%number, need%optional, 'none', &
+        'share of the 2nd derivative in its energy, 0 to 1; else .5'), &
+        body_field_type(card%faired, 6, 'AREA', form%number, need%optional, 'unit**2', &
+        'area it encloses; without it as it comes')]
 
 end module deck_body_line_fields

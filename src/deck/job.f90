@@ -10,7 +10,8 @@ module deck_job
     private
 
     public :: job_type, body_type, control_line_type, view_type, piece_type
-    public :: section_type, end_slope_type, cut_type, point_rule_type, range_type, check_type
+    public :: section_type, outline_type, end_slope_type, cut_type, point_rule_type, range_type
+    public :: check_type
     public :: piece_real, cut_real, check_real
 
     !> Characters of a name.
@@ -161,6 +162,19 @@ module deck_job
         type(card_type) :: card                 !! its card
     end type section_type
 
+    !> A closed outline at a station, faired near measured points.
+    type :: outline_type
+        character(name_length) :: name = ''         !! its name
+        type(decimal_type) :: sta                   !! its station, deck units
+        type(decimal_type) :: weight                !! of points that have none themselves
+        type(decimal_type) :: beta                  !! share of the second derivative's energy
+        logical :: has_area = .false.               !! its area is prescribed
+        type(decimal_type) :: area                  !! that area, deck units squared, above zero
+        type(piece_type), allocatable :: piece(:)   !! its points, BL and WL, in order around it
+        logical :: is_sound = .false.               !! none of its cards was in error
+        type(card_type) :: card                     !! its card
+    end type outline_type
+
     !> How the points of a cut are spread; for its own card or by POINTS, already decided.
     type :: point_rule_type
         integer :: kind = 2             !! one of `rule%...`
@@ -201,6 +215,7 @@ module deck_job
         type(card_type) :: nose_card                    !! the NOSE card, where there is one
         type(control_line_type), allocatable :: line(:) !! its control lines
         type(section_type), allocatable :: section(:)   !! its sections
+        type(outline_type), allocatable :: outline(:)   !! its faired outlines
         type(cut_type), allocatable :: cut(:)           !! the cuts asked of it, in deck order
         type(check_type), allocatable :: check(:)       !! clearances asked of it
     end type body_type

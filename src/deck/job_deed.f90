@@ -13,6 +13,7 @@ module deck_job_deed
     use deck_job_line, only: close_line, is_data_card, refuse_line, take_line, take_piece, &
         wordless_card
     use deck_job_list, only: append
+    use deck_job_outline, only: refuse_outline, take_outline
     use deck_job_setting, only: default_joint_gap, take_setting, take_standing
     use deck_job_state, only: state_type
     implicit none (type, external)
@@ -47,6 +48,8 @@ contains
             call take_sound(state, card, kind, faults)
         else if (kind == body_card%line) then
             call refuse_line(state)
+        else if (kind == body_card%faired) then
+            call refuse_outline(state)
         end if
         if (is_data_card(kind) .and. faults%has_errors(before)) state%open%is_sound = .false.
     end subroutine take_card
@@ -125,6 +128,8 @@ contains
             call take_line(state, card, faults)
         case (body_card%section)
             call take_section(state, card, faults)
+        case (body_card%faired)
+            call take_outline(state, card, faults)
         case (body_card%station:body_card%plane)
             call take_cut(state, card, kind, faults)
         case (body_card%check_point:body_card%check_box)
@@ -201,7 +206,7 @@ contains
         end do
     end subroutine check_sides
 
-    !> Warns where there is nothing to cut, or no cut.
+    !> Warns where there is nothing to cut, or no cut; faired outlines are something.
     pure subroutine warn_of_nothing(job, faults)
         type(job_type), intent(in) :: job               !! the job
         type(fault_list_type), intent(inout) :: faults  !! gets the warnings
@@ -209,6 +214,9 @@ contains
 
         sections = 0
         cuts = 0
+        do i = 1, size(job%body)
+            if (size(job%body(i)%outline) > 0) return
+        end do
         do i = 1, size(job%body)
             sections = sections + size(job%body(i)%section)
             cuts = cuts + size(job%body(i)%cut)

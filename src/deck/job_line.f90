@@ -1,6 +1,6 @@
 !> LINE and its data cards.
 module deck_job_line
-    use base_decimal, only: decimal_type, to_real
+    use base_decimal, only: to_real
     use base_exact, only: is_zero
     use base_fault, only: fault_list_type
     use base_kinds, only: dp
@@ -14,14 +14,12 @@ module deck_job_line
         view_type
     use deck_job_blend, only: check_blend, check_last_blend
     use deck_job_list, only: append
+    use deck_job_outline, only: close_outline, usual_weight
     use deck_job_state, only: find_line, open_line_type, state_type, text_of
     implicit none (type, external)
     private
 
     public :: take_line, refuse_line, take_piece, close_line, is_data_card, wordless_card
-
-    !> Weight of the points of a faired line: waves four points long are halved.
-    type(decimal_type), parameter :: usual_weight = decimal_type(10, 0)
 
 contains
 
@@ -189,7 +187,8 @@ contains
         if (from == origin%fair) then
             item%ending = ending%weight
             if (.not. looks_like_number(field_text(item%card, 3))) then
-                call blame(item%card, 3, 'behind a point of a FAIR line stands its weight', faults)
+                call blame(item%card, 3, 'behind a point to be faired stands its weight', &
+                    faults)
             else if (piece_real(item, 3) < 0.0_dp) then
                 call blame(item%card, 3, 'a weight is zero or above', faults)
             end if
@@ -239,6 +238,7 @@ contains
         type(fault_list_type), intent(inout) :: faults  !! what is wrong is added
         type(open_line_type) :: none
 
+        if (state%open%outline > 0) call close_outline(state, faults)
         if (state%open%line > 0) then
             associate (given => state%body%line(state%open%line)%view(state%open%view), &
                 open => state%open)

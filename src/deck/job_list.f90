@@ -1,7 +1,8 @@
 !> Lists of a job that grow while its deck is read: twice as long whenever they are full, cut to
 !> their length in the end.
 module deck_job_list
-    use deck_job, only: body_type, check_type, control_line_type, cut_type, piece_type, section_type
+    use deck_job, only: body_type, check_type, control_line_type, cut_type, outline_type, &
+        piece_type, section_type
     implicit none (type, external)
     private
 
@@ -13,7 +14,7 @@ module deck_job_list
     !> Puts an item at the end of a list that holds `count` of them.
     interface append
         module procedure append_body, append_line, append_piece, append_section, append_cut, &
-            append_check
+            append_check, append_outline
     end interface append
 
 contains
@@ -85,6 +86,23 @@ contains
         count = count + 1
         list(count) = item
     end subroutine append_section
+
+    !> Adds a faired outline.
+    pure subroutine append_outline(list, count, item)
+        type(outline_type), allocatable, intent(inout) :: list(:) !! the list
+        integer, intent(inout) :: count !! items in it
+        type(outline_type), intent(in) :: item !! what to add
+        type(outline_type), allocatable :: grown(:)
+
+        if (.not. allocated(list)) allocate (list(first_room))
+        if (count == size(list)) then
+            allocate (grown(2*count))
+            grown(:count) = list
+            call move_alloc(grown, list)
+        end if
+        count = count + 1
+        list(count) = item
+    end subroutine append_outline
 
     !> Adds a cut.
     pure subroutine append_cut(list, count, item)

@@ -20,11 +20,12 @@ module deck_job_state
         type(decimal_type) :: skin              !! thickness of skin, deck units
     end type standing_type
 
-    !> The line whose data cards are being read.
+    !> The line or outline whose data cards are being read.
     type :: open_line_type
         logical :: is_open = .false.                !! data cards may follow
         integer :: line = 0                         !! which line of the body; 0: its card was bad
         integer :: view = 0                         !! which view of it
+        integer :: outline = 0                      !! or which outline of the body
         integer :: origin = 0                       !! where the view comes from
         logical :: is_sound = .true.                !! none of its cards was in error
         integer :: pieces = 0                       !! pieces so far
@@ -39,6 +40,7 @@ module deck_job_state
         logical :: has_body_card = .false.          !! the open body began with a BODY card
         integer :: lines = 0                        !! lines of the open body
         integer :: sections = 0                     !! its sections
+        integer :: outlines = 0                     !! its faired outlines
         integer :: cuts = 0                         !! its cuts
         integer :: checks = 0                       !! its checks
         type(open_line_type) :: open                !! the open line

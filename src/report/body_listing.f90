@@ -6,6 +6,7 @@ module report_body_listing
     use body_body, only: body_type
     use body_faired, only: faired_type
     use body_ledger, only: joint_type
+    use body_outline, only: outline_type
     use body_ring_list, only: ring_type
     use cut_clearance, only: clearance_type
     use cut_measure_body, only: body_measure_type
@@ -19,6 +20,7 @@ module report_body_listing
     use report_measure_listing, only: print_measures
     use report_offset_listing, only: print_offsets
     use report_ordinate, only: new_form, ordinate_form_type
+    use report_outline_listing, only: print_outline
     use report_page, only: page_type
     use report_ring_listing, only: print_ring
     use report_title_page, only: print_title_page
@@ -46,6 +48,7 @@ module report_body_listing
         procedure :: print_body_measures
         procedure :: print_body_clearances
         procedure :: print_body_cut
+        procedure :: print_body_outline
     end type body_listing_type
 
 contains
@@ -138,5 +141,14 @@ contains
         listing%cuts = listing%cuts + 1
         call print_cut(listing%page, listing%cuts, cut, sections, listing%form, out)
     end subroutine print_body_cut
+
+    !> Prints the next faired outline; it is numbered as a cut.
+    subroutine print_body_outline(listing, outline, out)
+        class(body_listing_type), intent(inout) :: listing  !! the listing
+        type(outline_type), intent(in) :: outline           !! faired
+        type(output_type), intent(inout) :: out             !! where it goes
+        listing%cuts = listing%cuts + 1
+        call print_outline(listing%page, listing%cuts, outline, listing%form, out)
+    end subroutine print_body_outline
 
 end module report_body_listing

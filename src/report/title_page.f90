@@ -106,6 +106,12 @@ contains
         do i = 1, size(body%section)
             call add(body%section(i)%card, cards)
         end do
+        do i = 1, size(body%outline)
+            call add(body%outline(i)%card, cards)
+            do k = 1, size(body%outline(i)%piece)
+                call add(body%outline(i)%piece(k)%card, cards)
+            end do
+        end do
         call add(body%nose_card, cards)
         do i = 1, size(body%cut)
             call add(body%cut(i)%card, cards)

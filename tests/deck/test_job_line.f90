@@ -196,7 +196,7 @@ contains
             '3:1-3 error: a conic under a LINE by points; a composite line is given by conics '// &
             'alone|', 'a conic among points')
         call tap%same(faults_of('LINE,A,SIDE,SPLINE|0,|3,4,,7'), '2:3-3 error: Y is missing: '// &
-            'a point of the spline or faired line, or a pole (zero is written 0.)|'// &
+            'of a point or pole; under FAIRED the WL (zero is written 0.)|'// &
             '3:6-6 error: text behind the last field of the card, which is field 3|', &
             'a point cut short, and one too long')
         call tap%same(faults_of('LINE,A,SIDE,SPLINE'), '1:6-6 error: a LINE without data; its '// &
@@ -206,9 +206,9 @@ contains
             'weight of a FAIR line is above zero|3:5-7 error: a weight is zero or above|', &
             'weights that are none')
         call tap%same(faults_of('LINE,A,SIDE,FAIR,CHORD|0,0|1,2,FREE|3,4,2.'), '1:18-22 error: '// &
-            'the weight of a FAIR line is a number|3:5-8 error: behind a point of a FAIR line '// &
-            'stands its weight|4:5-6 warning: a weight at an end of a FAIR line says nothing: '// &
-            'the line is held there|', 'words in place of weights')
+            'the weight of a FAIR line is a number|3:5-8 error: behind a point to be '// &
+            'faired stands its weight|4:5-6 warning: a weight at an end of a FAIR line says '// &
+            'nothing: the line is held there|', 'words in place of weights')
         call tap%same(faults_of('LINE,A,SIDE,SPLINE,UNIFROM|0,0|3,4'), '1:20-26 error: PARAM '// &
             'is CHORD or UNIFORM, not UNIFROM; did you mean UNIFORM?|', 'a parameter misspelt')
         call tap%ok(index(faults_of('LINE,A,SIDE,3.,CHORD'), '1:16-20 warning: PARAM') == 1, &

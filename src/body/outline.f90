@@ -1,0 +1,100 @@
+!> Faired outlines: closed curves at a station near measured points, with a prescribed area where
+!> one is asked for. They stand by themselves: no section of the body knows them.
+module body_outline
+    use base_decimal, only: to_real
+    use base_error, only: cause, error_type
+    use base_exact, only: is_equal
+    use base_fault, only: fault_list_type
+    use base_kinds, only: dp
+    use deck_body_card, only: blame
+    use deck_job, only: asked_outline_type => outline_type, body_type, ending, name_length, &
+        piece_real
+    use geom_fairing, only: fair, fair_to_area, fairing_type
+    use geom_fairing_system, only: fairing_data_type, fairing_end, spline_area
+    implicit none (type, external)
+    private
+
+    public :: outline_type, build_outlines
+
+    !> An outline.
+    type :: outline_type
+        character(name_length) :: name = ''     !! its name
+        real(dp) :: sta = 0.0_dp                !! its station, deck units
+        type(fairing_data_type) :: measured     !! its points (BL, WL) and their weights
+        logical :: has_area = .false.           !! its area was asked for
+        real(dp) :: area = 0.0_dp               !! that area, deck units squared
+        type(fairing_type) :: fairing           !! the outline; its area is below zero where it runs
+                                                !! clockwise with BL to the right, WL upwards
+    end type outline_type
+
+contains
+
+    !> Fairs the outlines of a body. What can't be faired is said of its card and left out.
+    pure subroutine build_outlines(asked, list, faults)
+        type(body_type), intent(in) :: asked                        !! as the deck has it
+        type(outline_type), allocatable, intent(out) :: list(:)     !! those that could be faired
+        type(fault_list_type), intent(inout) :: faults              !! what is wrong is added
+        type(outline_type) :: item
+        type(error_type), allocatable :: error
+        integer :: i
+
+        allocate (list(0))
+        do i = 1, size(asked%outline)
+            if (.not. asked%outline(i)%is_sound) cycle
+            if (comes_back(asked%outline(i))) then
+                call blame(asked%outline(i)%piece(size(asked%outline(i)%piece))%card, 1, &
+                    'the last point is the first again; the outline closes by itself: leave it '// &
+                    'out', faults)
+                cycle
+            end if
+            call build_outline(asked%outline(i), item, error)
+            if (allocated(error)) then
+                call blame(asked%outline(i)%card, merge(6, 2, error%cause == cause%no_area), &
+                    error%message, faults)
+            else
+                list = [list, item]
+            end if
+        end do
+    end subroutine build_outlines
+
+    !> True where the last point is the first one.
+    pure logical function comes_back(asked)
+        type(asked_outline_type), intent(in) :: asked !! as the deck has it
+        associate (last => size(asked%piece))
+            comes_back = last > 1 .and. all(is_equal(piece_real(asked%piece(1), [1, 2]), &
+                piece_real(asked%piece(last), [1, 2])))
+        end associate
+    end function comes_back
+
+    !> Fairs an outline.
+    !>
+    !> Fails as `fair` and `fair_to_area`.
+    pure subroutine build_outline(asked, item, error)
+        type(asked_outline_type), intent(in) :: asked       !! as the deck has it
+        type(outline_type), intent(out) :: item             !! the outline
+        type(error_type), allocatable, intent(out) :: error !! see above
+        integer :: i, points
+
+        points = size(asked%piece)
+        item%name = asked%name
+        item%sta = to_real(asked%sta)
+        item%has_area = asked%has_area
+        item%area = to_real(asked%area)
+        item%measured%ends = fairing_end%closed
+        item%measured%beta = to_real(asked%beta)
+        allocate (item%measured%point(2, points))
+        allocate (item%measured%weight(points), source=to_real(asked%weight))
+        do i = 1, points
+            item%measured%point(:, i) = piece_real(asked%piece(i), [1, 2])
+            if (asked%piece(i)%ending == ending%weight) &
+                item%measured%weight(i) = piece_real(asked%piece(i), 3)
+        end do
+        if (item%has_area) then
+            call fair_to_area(item%measured, sign(item%area, spline_area(item%measured%point, &
+                .true.)), item%fairing, error)
+        else
+            call fair(item%measured, 0.0_dp, item%fairing, error)
+        end if
+    end subroutine build_outline
+
+end module body_outline
