@@ -77,7 +77,10 @@ contains
             associate (slot => stretch%slots(k), face => panels(k)%face)
                 if (slot%number == 0) &
                     call make_flat(ribs%ends(which), slot%track, ribs%corner, face)
-                loop = [track_bond(1), rib_bond(2), track_bond(2), rib_bond(1)]
+                loop(1) = track_bond(1)
+                loop(2) = rib_bond(2)
+                loop(3) = track_bond(2)
+                loop(4) = rib_bond(1)
                 loop(3:4)%is_forward = .not. loop(3:4)%is_forward
                 if (.not. face%is_outward) then
                     loop%is_forward = .not. loop%is_forward
