@@ -1,5 +1,6 @@
 !> Everything a body deck asks of one body, computed once: printed as listing or CSV, or drawn.
 module app_computed_body
+    use app_computed_arcs, only: arcs_of_cut
     use app_requests, only: requests_of
     use app_ring_faults, only: warn_of_ring
     use base_decimal, only: to_real
@@ -25,10 +26,16 @@ module app_computed_body
     use deck_body_card, only: blame, warn
     use deck_job, only: asked_body_type => body_type, asked_cut_type => cut_type, check, &
         check_real, check_type, job_type, name_length
+    use report_arc_listing, only: arc_table_type
     implicit none (type, external)
     private
 
     public :: computed_body_type, compute_body, judge_body, cut_body
+
+    !> The circular arcs of a cut.
+    type :: cut_arcs_type
+        type(arc_table_type), allocatable :: tables(:)  !! one a contour; none: none are asked
+    end type cut_arcs_type
 
     !> A body and what was asked of it.
     type :: computed_body_type
@@ -37,6 +44,8 @@ module app_computed_body
         type(joint_type), allocatable :: joints(:)                  !! the continuity ledger
         type(ring_type) :: ring                                     !! how its sections meet
         type(cut_type), allocatable :: cuts(:)                      !! in the order of the deck
+        integer, allocatable :: cards(:)                            !! which card each is of
+        type(cut_arcs_type), allocatable :: arcs(:)                 !! of each cut
         type(offset_table_type) :: heights                          !! on the butt lines asked for
         type(offset_table_type) :: half_breadths                    !! on the waterlines
         type(body_measure_type) :: measure                          !! areas and volume
@@ -72,6 +81,7 @@ contains
         type(fault_list_type), intent(inout) :: faults          !! what is wrong is added
 
         call cut_body(job, number, computed, faults)
+        call add_arcs(job%body(number), computed, faults)
         call check_components(job%body(number), computed, faults)
     end subroutine judge_body
 
@@ -94,16 +104,18 @@ contains
         integer, intent(in) :: number                           !! which of its bodies
         type(computed_body_type), intent(out) :: computed       !! body, joints and cuts
         type(fault_list_type), intent(inout) :: faults          !! what is wrong is added
-        integer :: i
+        integer :: i, k
 
         call build_body(job, number, computed%body, computed%joints, faults)
         call build_outlines(job%body(number), computed%outlines, faults)
-        allocate (computed%cuts(0), computed%clearances(0))
+        allocate (computed%cuts(0), computed%cards(0), computed%clearances(0))
         computed%sections = computed%body%sections%name
         call report_gaps(job%body(number), computed%body, faults)
         if (size(computed%body%sections) == 0) return
         do i = 1, size(job%body(number)%cut)
             call add_cuts(job%body(number)%cut(i), computed, faults)
+            computed%cards = [computed%cards, [(i, k=size(computed%cards) + 1, &
+                size(computed%cuts))]]
         end do
     end subroutine cuts_of_body
 
@@ -154,6 +166,27 @@ contains
             computed%cuts = [computed%cuts, made]
         end do
     end subroutine add_cuts
+
+    !> Makes the arcs of the cuts that ask for them. What is wrong is said on the card of the cut.
+    subroutine add_arcs(asked, computed, faults)
+        type(asked_body_type), intent(in) :: asked              !! as the deck has it
+        type(computed_body_type), intent(inout) :: computed     !! gets the arcs
+        type(fault_list_type), intent(inout) :: faults          !! what is wrong is added
+        type(error_type), allocatable :: error
+        character(:), allocatable :: said
+        integer :: i
+
+        allocate (computed%arcs(size(computed%cuts)))
+        said = ''
+        do i = 1, size(computed%cuts)
+            if (i > 1) then
+                if (computed%cards(i) /= computed%cards(i - 1)) said = ''
+            end if
+            call arcs_of_cut(computed%body, computed%cuts(i), computed%arcs(i)%tables, error)
+            if (allocated(error)) call say(asked%cut(computed%cards(i)), error%message, .true., &
+                said, faults)
+        end do
+    end subroutine add_arcs
 
     !> Says on the card of a cut what has not been said of it.
     subroutine say(asked, message, is_error, said, faults)

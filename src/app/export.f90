@@ -6,7 +6,7 @@ module app_export
     use app_export_parts, only: parts_type
     use app_export_request, only: read_request, request_type, settle_request
     use app_export_write, only: has_curves, has_lines, keeps_tolerance, &
-        scale_parts, write_parts, write_sheets
+        scale_parts, widest_tolerance, write_parts, write_sheets
     use app_file_set, only: file_set_type
     use app_files, only: base_name
     use app_input, only: close_input, deck_input_type, open_input, spare_deck
@@ -123,12 +123,14 @@ contains
         else if (has_curves(export%request)) then
             call draw_curves(computed, export%request, has_lines(export%request), parts, error)
         end if
+        if (export%request%settings%has_arcs .and. .not. allocated(error)) &
+            parts%drawing%cuts%arcs = export%request%tolerance
         if (.not. allocated(error)) call scale_parts(export%request, factor, parts)
         export%heading%deck = deck_name(export)
         export%heading%checksum = checksum
         export%heading%units = export%request%units
         if (keeps_tolerance(export%request, parts)) &
-            export%heading%tolerance = export%request%settings%tolerance
+            export%heading%tolerance = widest_tolerance(export%request, parts)
         export%heading%files = ''
     end subroutine read_parts
 

@@ -6,9 +6,11 @@ module app_export_body
     use app_export_parts, only: begin_parts, parts_type, station_type
     use app_export_request, only: curve_tolerance, request_type
     use app_input, only: deck_input_type
+    use app_option_table, only: is_one_of
     use app_progress, only: tell_progress
     use base_error, only: error_type
     use base_fault, only: fault_list_type
+    use base_kinds, only: dp
     use base_text, only: to_text
     use body_body, only: body_type
     use cut_faired, only: measured_cut
@@ -16,6 +18,7 @@ module app_export_body
     use cut_plane, only: cut_kind
     use deck_job, only: job_type
     use deck_job_reader, only: read_job
+    use export_arcs, only: part_for_curves
     use export_drawing, only: drawing_type, shape_type
     use export_drawing_cut, only: draw_cut
     use export_drawing_faired, only: outline_shape
@@ -156,7 +159,7 @@ contains
         type(error_type), allocatable, intent(out) :: error !! see above
         type(shape_type) :: shape
 
-        call draw_cut(body, cut, curve_tolerance(request), request%bevel_step, shape, error)
+        call draw_cut(body, cut, cut_tolerance(cut, request), request%bevel_step, shape, error)
         if (allocated(error)) then
             error%message = named%name//': '//error%message
             return
@@ -165,6 +168,19 @@ contains
         shape%number = named%number
         parts%drawing%cuts = [parts%drawing%cuts, shape]
     end subroutine add_cut
+
+    !> The tolerance of the fitted curves of a cut, deck units: less where arcs shall follow them.
+    pure real(dp) function cut_tolerance(cut, request) result(tolerance)
+        type(cut_type), intent(in) :: cut           !! may have arcs of its own
+        type(request_type), intent(in) :: request   !! settled
+        real(dp) :: arcs
+
+        tolerance = curve_tolerance(request)
+        if (.not. is_one_of(request%format, 'dxf nc') .or. request%settings%is_in_space) return
+        arcs = cut%arcs
+        if (request%settings%has_arcs) arcs = request%tolerance
+        if (arcs > 0.0_dp) tolerance = min(tolerance, part_for_curves*arcs)
+    end function cut_tolerance
 
     !> Draws the control lines of a body.
     !>

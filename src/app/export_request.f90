@@ -160,6 +160,8 @@ contains
             settings%has_splines = .true.
         case ('--3d')
             settings%is_in_space = .true.
+        case ('--arcs')
+            settings%has_arcs = .true.
         case ('--iges-conics')
             settings%has_conics = .true.
         case ('--angle')
@@ -208,6 +210,8 @@ contains
                 call fail(error, cause%usage, '--units: NC machines know in and mm')
             else if (request%has_depth .and. .not. settings%depth < 0.0_dp) then
                 call fail(error, cause%usage, '--depth is below 0, which is the top of the stock')
+            else if (settings%has_arcs .and. settings%is_in_space) then
+                call fail(error, cause%usage, '--arcs are in the plane of a cut; --3d is not')
             else if (settings%angle > 90.0_dp) then
                 call fail(error, cause%usage, '--angle is 90 degrees at most')
             end if

@@ -35,7 +35,8 @@ module app_export_write
     implicit none (type, external)
     private
 
-    public :: has_curves, has_lines, keeps_tolerance, scale_parts, write_parts, write_sheets
+    public :: has_curves, has_lines, keeps_tolerance, widest_tolerance, scale_parts
+    public :: write_parts, write_sheets
 
 contains
 
@@ -58,6 +59,16 @@ contains
         keeps_tolerance = .not. is_one_of(request%format, 'hrm wgs csv') .or. &
             request%has_tolerance .or. size(parts%stations) == 0
     end function keeps_tolerance
+
+    !> The tolerance that all of a file keeps: that asked for, or that of an ARCS card where it is
+    !> larger.
+    pure real(dp) function widest_tolerance(request, parts) result(tolerance)
+        type(request_type), intent(in) :: request   !! settled
+        type(parts_type), intent(in) :: parts       !! in units of the file
+        tolerance = request%settings%tolerance
+        if (is_one_of(request%format, 'dxf nc') .and. .not. request%settings%is_in_space) &
+            tolerance = max(tolerance, maxval([0.0_dp, parts%drawing%cuts%arcs]))
+    end function widest_tolerance
 
     !> Brings the curves of a deck to the unit of the file.
     pure subroutine scale_parts(request, factor, parts)

@@ -122,7 +122,7 @@ contains
             'loft export DECK -o FILE [OPTIONS]', '', &
             'Writes the cuts, lines and bodies of a deck as a file, by its ending:', '', &
             '  .svg .pdf         patterns of the cuts at full size', &
-            '  .dxf              the cuts as polylines or splines', &
+            '  .dxf              the cuts as polylines, splines or arcs', &
             '  .igs .iges        curves, lines and skin; .step .stp: the same, as a solid', &
             '                    where the body is closed', &
             '  .stl .obj         the skin as triangles', &
@@ -149,6 +149,8 @@ contains
             'DXF, IGES, STEP', &
             '  --dxf-splines     R2000 with rational splines, not R12 with polylines', &
             '  --3d              DXF: cuts and lines where they are in space', &
+            '  --arcs            circular arcs for all cuts, within --tolerance (dxf, nc);', &
+            '                    without it where the deck has an ARCS card, within its own', &
             '  --iges-conics     IGES: conics as entity 104 where they are conics', &
             '  --open            no caps, no solid (also stl, obj)', &
             'Meshes', &

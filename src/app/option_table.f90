@@ -18,7 +18,7 @@ module app_option_table
     end type option_layout_type
 
     !> All of them.
-    type(option_layout_type), parameter :: known(25) = [ &
+    type(option_layout_type), parameter :: known(26) = [ &
         option_layout_type('--arithmetic', 'words', 'ieee s360', 'run', ''), &
         option_layout_type('--shift', 'number', 'in deck units', 'run', ''), &
         option_layout_type('--asa', 'flag', '', 'run', ''), &
@@ -40,6 +40,7 @@ module app_option_table
         option_layout_type('--bevel', 'positive', 'in deck units', 'export', 'svg pdf dxf'), &
         option_layout_type('--dxf-splines', 'flag', '', 'export', 'dxf'), &
         option_layout_type('--3d', 'flag', '', 'export', 'dxf'), &
+        option_layout_type('--arcs', 'flag', '', 'export', 'dxf nc'), &
         option_layout_type('--iges-conics', 'flag', '', 'export', 'iges'), &
         option_layout_type('--angle', 'positive', 'of degrees', 'export', &
             'stl obj hrm wgs csv'), &

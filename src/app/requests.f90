@@ -75,6 +75,7 @@ contains
         request%step = to_real(card%points%step)
         request%is_flange_forward = card%is_flange_forward
         request%skin = to_real(card%skin)
+        request%arcs = to_real(card%arcs)
         if (card%points%kind == rule%step) then
             call new_grid(card%points%start, card%points%step, request%grid, error)
         end if

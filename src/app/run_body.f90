@@ -108,6 +108,7 @@ contains
             call listing%print_body_clearances(computed%clearances, out)
             do k = 1, size(computed%cuts)
                 call listing%print_body_cut(computed%cuts(k), computed%sections, out)
+                call listing%print_body_arcs(computed%cuts(k), computed%arcs(k)%tables, out)
             end do
             do k = 1, size(computed%outlines)
                 call listing%print_body_outline(computed%outlines(k), out)

@@ -44,6 +44,7 @@ contains
         cut%name = request%name
         cut%is_flange_forward = request%is_flange_forward
         cut%skin = request%skin
+        cut%arcs = request%arcs
         allocate (cut%inside(0))
         if (is_across(request%plane)) then
             call station_outlines(whole, request, meeting_tolerance*extent(body, request), &

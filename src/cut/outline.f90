@@ -74,6 +74,8 @@ module cut_outline
         type(outline_type), allocatable :: inside(:)    !! of its inside, where asked: no
                                                         !! pieces: `at` lies in the plane, `normal`,
                                                         !! slope and curvature are of the inside
+        real(dp) :: arcs = 0.0_dp                       !! tolerance of circular arcs in place of
+                                                        !! its curves, deck units; 0: not asked
         real(dp) :: disagreement = 0.0_dp               !! largest distance between the two ways
         type(note_type), allocatable :: notes(:)        !! in no order
     end type cut_type

@@ -39,6 +39,7 @@ module cut_request
         real(dp) :: step = 0.0_dp               !! length or tolerance, deck units
         logical :: is_flange_forward = .false.  !! FLANGE FWD
         real(dp) :: skin = 0.0_dp               !! thickness, deck units; 0: not asked
+        real(dp) :: arcs = 0.0_dp               !! tolerance of circular arcs; 0: not asked
     end type request_type
 
 end module cut_request

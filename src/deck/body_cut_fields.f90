@@ -6,7 +6,7 @@ module deck_body_cut_fields
     private
 
     !> The cuts and what holds for those that follow.
-    type(body_field_type), parameter, public :: cut_fields(39) = [ &
+    type(body_field_type), parameter, public :: cut_fields(40) = [ &
         body_field_type(card%points, 2, 'RULE', form%word, need%always, 'none', &
         'step of an axis, or as said of VALUE', 'STA BL WL NUMBER LENGTH CHORD DEFAULT'), &
         body_field_type(card%points, 3, 'VALUE', form%number, need%optional, 'deck unit', &
@@ -21,6 +21,8 @@ module deck_body_cut_fields
         'AFT until a card says FWD', 'AFT FWD'), &
         body_field_type(card%skin, 2, 'T', form%number, need%always, 'deck unit', &
         'thickness; 0. from the start'), &
+        body_field_type(card%arcs, 2, 'T', form%number, need%always, 'deck unit', &
+        'how far they may be from the curves; 0. ends them'), &
         body_field_type(card%station, 2, 'FROM', form%number, need%always, 'deck unit', &
         'the station, or the first one'), &
         body_field_type(card%station, 3, 'TO', form%number, need%optional, 'deck unit', &

@@ -71,10 +71,10 @@ module deck_body_layout
         integer :: five_points = 15, straight = 16, circle = 17, radius = 18
         integer :: cyclic = 19, blend = 20, point = 21
         integer :: section = 22, faired = 23
-        integer :: points = 24, limit = 25, flange = 26, skin = 27
-        integer :: station = 28, stations = 29, buttock = 30, waterline = 31, oblique = 32, &
-            plane = 33
-        integer :: check_point = 34, check_sphere = 35, check_box = 36, end = 37
+        integer :: points = 24, limit = 25, flange = 26, skin = 27, arcs = 28
+        integer :: station = 29, stations = 30, buttock = 31, waterline = 32, oblique = 33, &
+            plane = 34
+        integer :: check_point = 35, check_sphere = 36, check_box = 37, end = 38
     end type body_card_list
 
     !> Which card is which.
@@ -85,7 +85,7 @@ module deck_body_layout
         one_slope = 'LAST DXDY KNUCKLE', no_slope = 'KNUCKLE'
 
     !> The cards of a body deck besides TITLE and UNITS.
-    type(body_layout_type), parameter, public :: body_layout(37) = [ &
+    type(body_layout_type), parameter, public :: body_layout(38) = [ &
         body_layout_type('OUTPUT', '', '', &
         'unit of the listing; CSV and files keep the unit of the deck'), &
         body_layout_type('DIGITS', '', '', 'decimals of the ordinates in the listing'), &
@@ -127,6 +127,8 @@ module deck_body_layout
         body_layout_type('LIMIT', '', '', 'limits the cuts that follow'), &
         body_layout_type('FLANGE', '', '', 'side of the flange on the frames that follow'), &
         body_layout_type('SKIN', '', '', 'thickness of skin for the cuts and checks that follow'), &
+        body_layout_type('ARCS', '', '', &
+        'circular arcs in place of the curves of the cuts that follow: a table, NC, DXF'), &
         body_layout_type('STATION', '', '', 'cuts at stations: one, or a range with its step'), &
         body_layout_type('STATION', 'LIST', '', 'cuts at the stations of a list'), &
         body_layout_type('BUTTOCK', '', '', 'a cut at a butt line'), &

@@ -194,6 +194,7 @@ module deck_job
         type(point_rule_type) :: points             !! how its points are spread
         logical :: is_flange_forward = .false.      !! the frame's flange is forward
         type(decimal_type) :: skin                  !! thickness of skin, deck units; 0: not asked
+        type(decimal_type) :: arcs                  !! tolerance of arcs, deck units; 0: none asked
         type(card_type) :: card                     !! its card
     end type cut_type
 

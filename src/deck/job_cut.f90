@@ -38,6 +38,7 @@ contains
         item%limit = standing%limit
         item%is_flange_forward = standing%is_flange_forward
         item%skin = standing%skin
+        item%arcs = standing%arcs
         select case (kind)
         case (body_card%station, body_card%stations)
             call take_stations(item, kind == body_card%stations, faults)

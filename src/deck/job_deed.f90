@@ -118,7 +118,7 @@ contains
         select case (kind)
         case (body_card%output:body_card%toler)
             call take_setting(state, card, kind, faults)
-        case (body_card%points:body_card%skin)
+        case (body_card%points:body_card%arcs)
             call take_standing(state%standing, card, kind, faults)
         case (body_card%body)
             call take_body(state, card, faults)

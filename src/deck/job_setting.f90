@@ -1,5 +1,5 @@
 !> The cards that hold for the whole deck or for what follows: OUTPUT, DIGITS, PAGE, SYMMETRY,
-!> CLOSE, TOLER; POINTS, LIMIT, FLANGE, SKIN.
+!> CLOSE, TOLER; POINTS, LIMIT, FLANGE, SKIN, ARCS.
 module deck_job_setting
     use base_constants, only: largest_table
     use base_decimal, only: decimal_type
@@ -84,7 +84,7 @@ contains
     pure subroutine take_standing(standing, card, kind, faults)
         type(standing_type), intent(inout) :: standing  !! what holds
         type(card_type), intent(in) :: card             !! a card whose fields are sound
-        integer, intent(in) :: kind                     !! `body_card%points` to `body_card%skin`
+        integer, intent(in) :: kind                     !! `body_card%points` to `body_card%arcs`
         type(fault_list_type), intent(inout) :: faults  !! what is wrong is added
 
         select case (kind)
@@ -99,6 +99,12 @@ contains
                 call blame(card, 2, 'the thickness is negative; 0. is no skin', faults)
             else
                 standing%skin = decimal_in(card, 2)
+            end if
+        case (body_card%arcs)
+            if (real_in(card, 2) < 0.0_dp) then
+                call blame(card, 2, 'the tolerance is negative; 0. ends the arcs', faults)
+            else
+                standing%arcs = decimal_in(card, 2)
             end if
         end select
     end subroutine take_standing

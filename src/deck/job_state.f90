@@ -18,6 +18,7 @@ module deck_job_state
         type(range_type) :: limit(3)            !! along STA, BL, WL
         logical :: is_flange_forward = .false.  !! FLANGE FWD is in force
         type(decimal_type) :: skin              !! thickness of skin, deck units
+        type(decimal_type) :: arcs              !! tolerance of circular arcs, deck units
     end type standing_type
 
     !> The line or outline whose data cards are being read.

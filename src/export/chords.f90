@@ -13,7 +13,8 @@ module export_chords
     implicit none (type, external)
     private
 
-    public :: polygon_type, chord_polygon, round_polygon, rounding_error, decimals_for
+    public :: polygon_type, chord_polygon, round_polygon, rounding_error, decimals_for, rounded
+    public :: widest_gap
 
     !> A polygon, in space or in a plane.
     type :: polygon_type
@@ -63,7 +64,7 @@ contains
 
     !> How far apart ends of neighbouring curves are that should meet.
     pure real(dp) function widest_gap(contour) result(gap)
-        type(contour_type), intent(in) :: contour   !! with curves
+        type(contour_type), intent(in) :: contour   !! any
         integer :: i, before, last
 
         gap = 0.0_dp

@@ -64,6 +64,7 @@ module export_drawing
         integer :: number = 0                   !! which cut, line or card of the deck
         type(plane_type) :: plane               !! lengths in the unit of the drawing
         real(dp) :: skin = 0.0_dp               !! thickness asked for; 0: none
+        real(dp) :: arcs = 0.0_dp               !! tolerance of circular arcs for it; 0: none
         integer :: quantity = 1                 !! pieces a body needs
         logical :: is_flange_forward = .false.  !! the side of its flange, as the cut has it
         logical :: is_half = .false.            !! its mirror image in BL 0 belongs to the piece

@@ -74,6 +74,7 @@ contains
         shape%kind = cut%plane%kind
         shape%plane = cut%plane
         shape%skin = cut%skin
+        shape%arcs = cut%arcs
         shape%is_flange_forward = cut%is_flange_forward
         shape%is_half = body%is_symmetric .and. is_zero(cut%plane%normal(2))
         shape%quantity = 1

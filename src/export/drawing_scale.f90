@@ -40,6 +40,7 @@ contains
         integer :: i, k
 
         shape%skin = factor*shape%skin
+        shape%arcs = factor*shape%arcs
         shape%plane%through = factor*shape%plane%through
         shape%plane%origin = factor*shape%plane%origin
         do i = 1, size(shape%contours)

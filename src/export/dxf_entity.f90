@@ -1,4 +1,4 @@
-!> The entities of a DXF file: POINT, LINE, POLYLINE, SPLINE and TEXT.
+!> The entities of a DXF file: POINT, LINE, POLYLINE, LWPOLYLINE, SPLINE and TEXT.
 !>
 !> Source: Autodesk, "DXF Reference" for release 12 and for AutoCAD 2000, ENTITIES section.
 module export_dxf_entity
@@ -11,7 +11,7 @@ module export_dxf_entity
     implicit none (type, external)
     private
 
-    public :: put_point, put_line, put_polyline, put_spline, put_words, on_page
+    public :: put_point, put_line, put_polyline, put_light_polyline, put_spline, put_words, on_page
 
     !> How near poles or knots are one for a reader of a spline.
     real(dp), parameter :: pole_tolerance = 1.0e-10_dp
@@ -52,12 +52,14 @@ contains
         call file%point(11, to)
     end subroutine put_line
 
-    !> Puts a polygon as one entity.
-    subroutine put_polyline(file, layer, at, is_closed)
+    !> Puts a polygon, or arcs end to end, as one entity.
+    subroutine put_polyline(file, layer, at, is_closed, bulge)
         type(dxf_type), intent(inout) :: file   !! of R12
         character(*), intent(in) :: layer       !! its name
         real(dp), intent(in) :: at(:, :)        !! corners by columns, shape (2, n) or (3, n)
         logical, intent(in) :: is_closed        !! the last is joined to the first
+        real(dp), intent(in), optional :: bulge(:)  !! of the arc from each corner on, in a plane:
+                                                    !! tan(turn/4), positive to the left
         integer, parameter :: closed = 1, in_space = 8, corner_in_space = 32
         logical :: is_flat
         integer :: i
@@ -71,9 +73,31 @@ contains
             call file%new('VERTEX', layer)
             call file%point(10, at(:, i))
             if (.not. is_flat) call file%tag(70, corner_in_space)
+            if (.not. present(bulge)) cycle
+            if (.not. is_zero(bulge(i))) call file%tag(42, bulge(i))
         end do
         call file%new('SEQEND', layer)
     end subroutine put_polyline
+
+    !> Puts arcs end to end as one entity of R2000.
+    subroutine put_light_polyline(file, layer, at, is_closed, bulge)
+        type(dxf_type), intent(inout) :: file   !! of R2000
+        character(*), intent(in) :: layer       !! its name
+        real(dp), intent(in) :: at(:, :)        !! corners by columns, shape (2, n)
+        logical, intent(in) :: is_closed        !! the last is joined to the first
+        real(dp), intent(in) :: bulge(:)        !! of the arc from each corner on: tan(turn/4),
+                                                !! positive to the left
+        integer :: i
+
+        call file%new('LWPOLYLINE', layer)
+        call file%class('AcDbPolyline')
+        call file%tag(90, size(at, 2))
+        call file%tag(70, merge(1, 0, is_closed))
+        do i = 1, size(at, 2)
+            call file%vector(10, at(:, i))
+            if (.not. is_zero(bulge(i))) call file%tag(42, bulge(i))
+        end do
+    end subroutine put_light_polyline
 
     !> Puts a B-spline, which is exactly what it is.
     subroutine put_spline(file, layer, spline, normal)

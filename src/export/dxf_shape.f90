@@ -1,17 +1,24 @@
 !> A shape in a DXF file: in R12 each contour is one POLYLINE within the tolerance, in R2000 each
 !> curve is a SPLINE or a LINE, exactly. What has shrunk to a point is a POINT.
+!>
+!> Where a shape asks for circular arcs, each of its contours is one polyline with bulges: POLYLINE
+!> in R12, LWPOLYLINE in R2000. Closed contours stay one closed entity, as cutters want them, which
+!> ARC entities would not. In space, where polylines have no bulges, a shape is as without arcs.
 module export_dxf_shape
     use base_error, only: error_type
     use base_exact, only: is_equal
     use base_kinds, only: dp
     use cut_plane, only: true_shape
-    use export_chords, only: chord_polygon, decimals_for, polygon_type, round_polygon, &
+    use export_arcs, only: arc_contour_type, arc_rounding, arcs_of_contour, decimals_of_arcs, &
+        parted_arcs
+    use export_chords, only: chord_polygon, decimals_for, polygon_type, round_polygon, rounded, &
         rounding_error
     use export_drawing, only: contour_type, curve_type, shape_kind, shape_type
-    use export_dxf_entity, only: put_line, put_point, put_polyline, put_spline
+    use export_dxf_entity, only: put_light_polyline, put_line, put_point, put_polyline, put_spline
     use export_dxf_tag, only: dxf_type
     use export_receipt, only: entity_type, receipt_type
     use geom_bspline, only: bspline_type, is_rational, spline_breaks
+    use geom_circular, only: circular_type
     implicit none (type, external)
     private
 
@@ -49,7 +56,7 @@ contains
         end do
     end function in_drawing
 
-    !> Puts all contours of a shape. Fails where `chord_polygon` does.
+    !> Puts all contours of a shape. Fails where `chord_polygon` or `arcs_of_contour` does.
     subroutine put_shape(file, shape, pen, receipt, error)
         type(dxf_type), intent(inout) :: file               !! the file
         type(shape_type), intent(in) :: shape               !! what to put
@@ -63,7 +70,11 @@ contains
             nib = pen
             nib%is_inside = shape%contours(i)%is_inside
             if (nib%is_inside) nib%layer = pen%inside
-            if (file%has_handles .and. size(shape%contours(i)%curves) > 0) then
+            if (shape%arcs > 0.0_dp .and. .not. pen%is_in_space .and. &
+                size(shape%contours(i)%curves) > 0) then
+                call put_arcs(file, shape, shape%contours(i), nib, receipt, error)
+                if (allocated(error)) return
+            else if (file%has_handles .and. size(shape%contours(i)%curves) > 0) then
                 do k = 1, size(shape%contours(i)%curves)
                     call put_curve(file, shape, shape%contours(i)%curves(k), nib, receipt)
                 end do
@@ -106,6 +117,74 @@ contains
         if (pen%is_inside) entity%kind = entity%kind//' INSIDE'
         call receipt%add(entity)
     end subroutine put_contour
+
+    !> Puts a contour as circular arcs.
+    subroutine put_arcs(file, shape, contour, pen, receipt, error)
+        type(dxf_type), intent(inout) :: file               !! the file
+        type(shape_type), intent(in) :: shape               !! whose contour it is
+        type(contour_type), intent(in) :: contour           !! what to put, with curves
+        type(pen_type), intent(in) :: pen                   !! how
+        type(receipt_type), intent(inout) :: receipt        !! gets the entity
+        type(error_type), allocatable, intent(out) :: error !! see `arcs_of_contour`
+        type(arc_contour_type) :: chain
+        type(entity_type) :: entity
+        real(dp), allocatable :: at(:, :), bulge(:)
+        integer :: decimals
+
+        call arcs_of_contour(shape%plane, contour, shape%arcs, chain, error)
+        if (allocated(error)) return
+        decimals = decimals_of_arcs(shape%arcs, usual_decimals)
+        call corners_of(chain, decimals, at, bulge)
+        entity%name = shape%name
+        entity%points = size(at, 2)
+        entity%spans = count(abs(bulge) > 0.0_dp)
+        entity%error = chain%error + arc_rounding(decimals)
+        entity%has_place = .true.
+        entity%worst = chain%worst
+        if (entity%points == 1) then
+            entity%kind = 'POINT'
+            call put_point(file, trim(pen%layer), at(:, 1))
+        else if (file%has_handles) then
+            entity%kind = trim(merge('CLOSED LWPOLYLINE ARCS', 'LWPOLYLINE ARCS       ', &
+                chain%is_closed))
+            call put_light_polyline(file, trim(pen%layer), at, chain%is_closed, bulge)
+        else
+            entity%kind = trim(merge('CLOSED POLYLINE ARCS', 'POLYLINE ARCS       ', &
+                chain%is_closed))
+            call put_polyline(file, trim(pen%layer), at, chain%is_closed, bulge)
+        end if
+        if (pen%is_inside) entity%kind = entity%kind//' INSIDE'
+        call receipt%add(entity)
+    end subroutine put_arcs
+
+    !> The corners of a polyline of arcs, rounded, those left out that fall on the next, and the
+    !> bulges of the arcs that begin there. The last corner of an open one has none.
+    pure subroutine corners_of(chain, decimals, at, bulge)
+        type(arc_contour_type), intent(in) :: chain         !! of curves
+        integer, intent(in) :: decimals                     !! of coordinates
+        real(dp), allocatable, intent(out) :: at(:, :)      !! corners by columns
+        real(dp), allocatable, intent(out) :: bulge(:)      !! of each corner
+        type(circular_type), allocatable :: arcs(:)
+        logical, allocatable :: is_kept(:)
+        integer :: i, count
+
+        allocate (arcs(0))
+        arcs = parted_arcs(chain)
+        count = size(arcs)
+        allocate (at(2, count + 1), bulge(count + 1), is_kept(count + 1))
+        at = spread(chain%start, 2, count + 1)
+        bulge = 0.0_dp
+        is_kept = .not. chain%is_closed
+        do i = 1, count
+            at(:, i) = rounded(arcs(i)%start, decimals)
+            at(:, i + 1) = rounded(arcs(i)%finish, decimals)
+            if (.not. arcs(i)%is_line) bulge(i) = tan(0.25_dp*arcs(i)%turn)
+            is_kept(i) = any(abs(at(:, i + 1) - at(:, i)) > 0.0_dp)
+        end do
+        if (.not. any(is_kept)) is_kept(1) = .true.
+        at = at(:, pack([(i, i=1, count + 1)], is_kept))
+        bulge = pack(bulge, is_kept)
+    end subroutine corners_of
 
     !> Puts a curve as it is.
     subroutine put_curve(file, shape, curve, pen, receipt)

@@ -1,6 +1,6 @@
-!> Cuts as an NC program: straight pieces in G-code, in the words that LinuxCNC, Fanuc and Grbl have
-!> in common. X and Y are u and v of the cut: the loft's own ordinates, so that a point of the
-!> program can be looked up in a table of offsets.
+!> Cuts as an NC program: straight pieces, or circular arcs where a shape asks for them, in G-code,
+!> in the words that LinuxCNC, Fanuc and Grbl have in common. X and Y are u and v of the cut: the
+!> loft's own ordinates, so that a point of the program can be looked up in a table of offsets.
 !>
 !>     %                               (senders for Grbl leave it out)
 !>     (CUT 1 STATION 20, 2 PIECES)
@@ -16,6 +16,10 @@
 !> The centre of the tool follows the outline. Several cuts stand one after another at their common
 !> origin, with a program stop (M0) between them for the next piece of stock. Of a cut the insides
 !> of the skin come first: while they are cut, the piece still hangs in its stock.
+!>
+!> Arcs are G2 (clockwise) and G3 in the plane of G17; I and J lead from the start of an arc to its
+!> centre, as all of these controls take it unless they are told otherwise. Where one was, G91.1
+!> sets it right; Fanuc does not know that word, so the program has it not.
 module export_nc
     use base_constants, only: version
     use base_digits, only: shortest
@@ -24,13 +28,13 @@ module export_nc
     use base_kinds, only: dp, i64
     use base_output, only: output_type
     use base_text, only: compact, counted, to_text
-    use cut_plane, only: true_shape
+    use export_arcs, only: decimals_of_arcs
     use export_axis, only: axis_names
-    use export_chords, only: chord_polygon, decimals_for, polygon_type, round_polygon, &
-        rounding_error
+    use export_chords, only: decimals_for
     use export_drawing, only: contour_type, drawing_type, shape_type
     use export_drawn, only: check_shapes, check_tolerance, draw_shapes
-    use export_nc_path, only: put_path, run_type, straight_path
+    use export_nc_follow, only: follow_arcs, follow_chords
+    use export_nc_path, only: path_type, put_path, run_type
     use export_nc_word, only: comment, word
     use export_receipt, only: entity_type, receipt_type
     use export_settings, only: settings_type
@@ -55,7 +59,7 @@ contains
     !> Fails with `cause%usage` where the unit is neither the inch nor the millimetre, feed, depth
     !> or safe height are not set or on the wrong side of zero, the tolerance is not above zero, or
     !> a coordinate is beyond any machine; with `cause%no_arc` where one is no finite number; and
-    !> where `chord_polygon` does.
+    !> where `follow_chords` or `follow_arcs` does.
     subroutine write_nc(drawing, settings, out, receipt, error)
         type(drawing_type), intent(in) :: drawing           !! in the unit of the file
         type(settings_type), intent(in) :: settings         !! tolerance, half, feed, depth, safe
@@ -73,12 +77,10 @@ contains
         call draw_shapes(drawing, settings%is_half, .false., shapes)
         call check_shapes(shapes, error)
         if (allocated(error)) return
-        run = run_type(settings%safe, settings%depth, settings%feed, &
-            plunge_part*settings%feed, settings%tolerance, decimals_for(settings%tolerance, &
-            merge(metric_decimals, inch_decimals, unit%is_metric)))
-        call put_head(out, drawing, settings, unit)
-        call out%line('G0 '//word('Z', run%safe, run%decimals))
+        call put_head(out, drawing, shapes, settings, unit)
         do i = 1, size(shapes)
+            run = run_of(shapes(i), settings, unit)
+            if (i == 1) call out%line('G0 '//word('Z', run%safe, run%decimals))
             if (i > 1) call put_stop(out)
             call put_shape(out, shapes(i), run, receipt, error)
             if (allocated(error)) return
@@ -118,10 +120,27 @@ contains
         end if
     end subroutine check_settings
 
+    !> How the paths of a shape are run.
+    pure type(run_type) function run_of(shape, settings, unit) result(run)
+        type(shape_type), intent(in) :: shape       !! the cut
+        type(settings_type), intent(in) :: settings !! as asked for
+        type(unit_type), intent(in) :: unit         !! of the drawing
+        integer :: usual
+
+        usual = merge(metric_decimals, inch_decimals, unit%is_metric)
+        run = run_type(settings%safe, settings%depth, settings%feed, plunge_part*settings%feed, &
+            settings%tolerance, decimals_for(settings%tolerance, usual))
+        run%has_arcs = shape%arcs > 0.0_dp
+        if (.not. run%has_arcs) return
+        run%tolerance = shape%arcs
+        run%decimals = decimals_of_arcs(shape%arcs, usual)
+    end function run_of
+
     !> Puts what stands before the first cut.
-    subroutine put_head(out, drawing, settings, unit)
+    subroutine put_head(out, drawing, shapes, settings, unit)
         type(output_type), intent(inout) :: out     !! gets it
         type(drawing_type), intent(in) :: drawing   !! what is cut
+        type(shape_type), intent(in) :: shapes(:)   !! of it
         type(settings_type), intent(in) :: settings !! as asked for
         type(unit_type), intent(in) :: unit         !! of the drawing
 
@@ -130,8 +149,10 @@ contains
         call out%line(comment('DECK '//drawing%deck))
         if (drawing%title /= '') call out%line(comment('TITLE '//drawing%title))
         call out%line(comment('ALL DIMENSIONS IN '//unit%name))
-        call out%line(comment('WITHIN '//compact(settings%tolerance)//' '//trim(unit%short)// &
-            ' OF THE EXACT SHAPE'))
+        call out%line(comment('WITHIN '//compact(maxval(merge(shapes%arcs, settings%tolerance, &
+            shapes%arcs > 0.0_dp)))//' '//trim(unit%short)//' OF THE EXACT SHAPE'))
+        if (any(shapes%arcs > 0.0_dp)) call out%line(comment( &
+            'I AND J LEAD FROM THE START OF AN ARC TO ITS CENTRE'))
         call out%line(comment('THE CENTRE OF THE TOOL FOLLOWS THE OUTLINE'))
         call out%line(comment('NO CUTTER COMPENSATION, NO TOOL CHANGE, NO SPINDLE SPEED'))
         call out%line(comment('START THE SPINDLE BY HAND OR PUT S AND M3 BEHIND THESE LINES'))
@@ -159,6 +180,7 @@ contains
 
         call out%line(comment('CUT '//to_text(shape%number)//' '//shape%title))
         call out%line(comment(counted(int(shape%quantity, i64), 'piece')//', '//axes_of(shape)))
+        if (run%has_arcs) call out%line(comment('CIRCULAR ARCS WITHIN '//compact(run%tolerance)))
         do turn = 1, 2
             is_inside = turn == 1
             if (any(shape%contours%is_inside)) call out%line(comment( &
@@ -188,47 +210,43 @@ contains
         type(run_type), intent(in) :: run                   !! how
         type(receipt_type), intent(inout) :: receipt        !! gets the path
         type(error_type), allocatable, intent(out) :: error !! see `write_nc`
-        type(polygon_type) :: polygon
         type(entity_type) :: entity
-        real(dp), allocatable :: flat(:, :)
-        integer :: i
+        type(path_type) :: path
 
-        call chord_polygon(contour, run%tolerance - rounding_error(run%decimals, 2), polygon, error)
+        if (run%has_arcs) then
+            call follow_arcs(shape, contour, run, path, entity, error)
+        else
+            call follow_chords(shape, contour, run, path, entity, error)
+        end if
+        if (.not. allocated(error)) call check_reach(shape, path, run%decimals, receipt, error)
         if (allocated(error)) return
-        allocate (flat(2, size(polygon%at, 2)))
-        do i = 1, size(flat, 2)
-            flat(:, i) = true_shape(shape%plane, polygon%at(:, i))
-        end do
-        call move_alloc(flat, polygon%at)
-        call round_polygon(polygon, run%decimals)
-        call check_reach(shape, polygon%at, run%decimals, receipt, error)
-        if (allocated(error)) return
-        if (size(polygon%at, 2) < 2) then
+        if (size(path%segments) == 0) then
             call receipt%say(shape%name//': an outline that is a point is not cut')
             return
         end if
-        call put_path(out, straight_path(polygon%at, polygon%is_closed), run)
+        call put_path(out, path, run)
         entity%name = shape%name
-        entity%kind = trim(merge('CLOSED PATH', 'PATH       ', polygon%is_closed))
         if (contour%is_inside) entity%kind = entity%kind//' INSIDE'
-        entity%points = size(polygon%at, 2)
-        entity%error = polygon%error
+        entity%points = size(path%segments) + merge(0, 1, contour%is_closed)
         entity%has_place = .true.
-        entity%worst = polygon%worst
         call receipt%add(entity)
     end subroutine put_contour
 
     !> Fails where a coordinate is beyond any machine; says so where it has more figures than some
     !> controls read.
-    pure subroutine check_reach(shape, at, decimals, receipt, error)
+    pure subroutine check_reach(shape, path, decimals, receipt, error)
         type(shape_type), intent(in) :: shape               !! the cut
-        real(dp), intent(in) :: at(:, :)                    !! corners of a path
+        type(path_type), intent(in) :: path                 !! along a contour of it
         integer, intent(in) :: decimals                     !! of coordinates
         type(receipt_type), intent(inout) :: receipt        !! gets the warning
         type(error_type), allocatable, intent(out) :: error !! see above
         real(dp) :: most
+        integer :: i
 
-        most = maxval(abs(at))
+        most = maxval(abs(path%start))
+        do i = 1, size(path%segments)
+            most = max(most, maxval(abs(path%segments(i)%to)))
+        end do
         if (most >= farthest) then
             call fail(error, cause%usage, shape%title//' has a coordinate of '//shortest(most)// &
                 '; an NC program takes less than '//shortest(farthest))

@@ -30,6 +30,7 @@ module export_nc_path
         real(dp) :: plunge = 0.0_dp         !! down to the depth, a minute
         real(dp) :: tolerance = 0.0_dp      !! how far a path may be from the exact shape
         integer :: decimals = 0             !! of coordinates
+        logical :: has_arcs = .false.       !! paths are of circular arcs
     end type run_type
 
     !> Decimals of feeds.

@@ -14,6 +14,7 @@ module export_settings
         logical :: is_open = .false.            !! STEP, STL, OBJ: no caps, not a solid
         logical :: has_splines = .false.        !! DXF: R2000 with splines
         logical :: is_in_space = .false.        !! DXF: where the body has it, not in its plane
+        logical :: has_arcs = .false.           !! DXF, NC: circular arcs for all cuts
         logical :: has_conics = .false.         !! IGES: 104 and 124 where a curve is a conic
         logical :: is_half = .false.            !! patterns: the half, with its centre line
         logical :: is_each = .false.            !! patterns: a sheet for each cut

@@ -13,21 +13,23 @@
 !> and P2 is added. The deviation goes as |dk/ds| L**3/324 over a length L of curvature k.
 module geom_arc_chain
     use base_error, only: cause, error_type, fail
+    use base_exact, only: is_equal
     use base_kinds, only: dp
     use base_text, only: compact, to_text
     use geom_circular, only: circular_between, circular_type, direction_to, distance_from, &
-        leaving, wrapped
+        leaving, reversed_circular, wrapped
     use geom_plane_curve, only: curvature_stops, plane_curve_type
     implicit none (type, external)
     private
 
-    public :: chain_arc_type, arcs_along, arc_pair
+    public :: chain_arc_type, arcs_along, arc_pair, reversed_chain
 
     !> An arc of a chain.
     type :: chain_arc_type
         type(circular_type) :: arc          !! the arc
         real(dp) :: ends(2) = 0.0_dp        !! parameters of the curve at its ends
         real(dp) :: deviation = 0.0_dp      !! largest distance from the curve to it, deck units
+        real(dp) :: worst(2) = 0.0_dp       !! where that is, on the curve
         logical :: is_primary = .true.      !! it ends where the curve's tangent is kept
     end type chain_arc_type
 
@@ -147,11 +149,15 @@ contains
         do i = 1, 2
             call look(f, ends(i), at(:, i), direction(i))
         end do
+        if (all(is_equal(at(:, 1), at(:, 2)))) then
+            allocate (pair(0))
+            return
+        end if
         one = circular_between(at(:, 1), direction(1), at(:, 2))
         if (abs(wrapped(leaving(one) - direction(2))) <= same_direction) then
             allocate (pair(1))
             pair(1) = chain_arc_type(one, ends)
-            pair(1)%deviation = deviation_of(f, pair(1), points)
+            call measure(f, points, pair(1))
             if (abs(one%turn) > 0.0_dp .or. one%is_line) return
             deallocate (pair)
         end if
@@ -162,7 +168,7 @@ contains
             return
         end if
         do i = 1, 2
-            pair(i)%deviation = deviation_of(f, pair(i), points)
+            call measure(f, points, pair(i))
         end do
     end subroutine try_pair
 
@@ -221,18 +227,38 @@ contains
         call f%jet(t, at, first, second)
     end function point_at
 
-    !> The largest distance from the curve to an arc that stands for it.
-    pure real(dp) function deviation_of(f, arc, points) result(deviation)
+    !> Finds the largest distance from the curve to an arc that stands for it.
+    pure subroutine measure(f, points, arc)
         class(plane_curve_type), intent(in) :: f    !! the curve
-        type(chain_arc_type), intent(in) :: arc     !! with its parameters
         integer, intent(in) :: points               !! where it is measured
+        type(chain_arc_type), intent(inout) :: arc  !! with its parameters; gets its deviation
+        real(dp) :: at(2), distance
         integer :: i
 
-        deviation = 0.0_dp
+        arc%worst = arc%arc%start
         do i = 1, points - 1
-            deviation = max(deviation, distance_from(arc%arc, point_at(f, arc%ends(1) &
-                + real(i, dp)/real(points, dp)*(arc%ends(2) - arc%ends(1)))))
+            at = point_at(f, arc%ends(1) + real(i, dp)/real(points, dp)*(arc%ends(2) - arc%ends(1)))
+            distance = distance_from(arc%arc, at)
+            if (distance <= arc%deviation) cycle
+            arc%deviation = distance
+            arc%worst = at
         end do
-    end function deviation_of
+    end subroutine measure
+
+    !> The same arcs, run through backwards.
+    pure function reversed_chain(arcs) result(back)
+        type(chain_arc_type), intent(in) :: arcs(:) !! along a curve
+        type(chain_arc_type) :: back(size(arcs))
+        integer :: i, count
+
+        count = size(arcs)
+        do i = 1, count
+            back(i) = arcs(count + 1 - i)
+            back(i)%arc = reversed_circular(back(i)%arc)
+            back(i)%ends = 1.0_dp - back(i)%ends([2, 1])
+            back(i)%is_primary = .true.
+            if (i < count) back(i)%is_primary = arcs(count - i)%is_primary
+        end do
+    end function reversed_chain
 
 end module geom_arc_chain

@@ -10,6 +10,7 @@ module geom_circular
     private
 
     public :: circular_type, circular_between, direction_to, wrapped, distance_from, leaving
+    public :: reversed_circular, parted_circular
 
     !> A circular arc of less than a full turn, or a straight line.
     type :: circular_type
@@ -63,6 +64,34 @@ contains
         type(circular_type), intent(in) :: arc !! any
         leaving = arc%direction + arc%turn
     end function leaving
+
+    !> An arc, run through backwards.
+    pure type(circular_type) function reversed_circular(arc) result(back)
+        type(circular_type), intent(in) :: arc !! any
+        back = arc
+        back%start = arc%finish
+        back%finish = arc%start
+        back%direction = wrapped(leaving(arc) + pi)
+        back%turn = 0.0_dp - arc%turn
+        back%radius = 0.0_dp - arc%radius
+    end function reversed_circular
+
+    !> An arc in so many arcs of one turn.
+    pure function parted_circular(arc, count) result(parts)
+        type(circular_type), intent(in) :: arc  !! with a centre
+        integer, intent(in) :: count            !! one or more
+        type(circular_type) :: parts(count)
+        integer :: i
+
+        parts = arc
+        parts%turn = arc%turn/real(count, dp)
+        do i = 2, count
+            parts(i)%direction = arc%direction + real(i - 1, dp)*parts(i)%turn
+            parts(i)%start = arc%centre + arc%radius*[sin(parts(i)%direction), &
+                -cos(parts(i)%direction)]
+            parts(i - 1)%finish = parts(i)%start
+        end do
+    end function parted_circular
 
     !> How far a point beside an arc is from its circle, or from its line, deck units.
     pure real(dp) function distance_from(arc, point) result(distance)

@@ -30,6 +30,8 @@ module geom_plane_curve
     integer, parameter :: samples = 512, narrowings = 80
     !> Curvature, in parts of the largest, that is none.
     real(dp), parameter :: no_curvature = 1.0e-9_dp
+    !> Speed over the parameter, deck units, below which a curve stands still.
+    real(dp), parameter :: slowest = 1.0e-90_dp
 
 contains
 
@@ -70,13 +72,16 @@ contains
         end function turns
     end function curvature_stops
 
-    !> The curvature, 1/deck unit, positive where the curve turns left.
+    !> The curvature, 1/deck unit, positive where the curve turns left; none where it stands still.
     pure real(dp) function curvature_at(f, t) result(bend)
         class(plane_curve_type), intent(in) :: f    !! the curve
         real(dp), intent(in) :: t                   !! 0 to 1
         real(dp), dimension(2) :: point, first, second
+        real(dp) :: speed
         call f%jet(t, point, first, second)
-        bend = cross(first, second)/norm2(first)**3
+        speed = norm2(first)
+        bend = 0.0_dp
+        if (speed > slowest) bend = cross(first, second)/speed**3
     end function curvature_at
 
     !> Where the curvature changes its sign.

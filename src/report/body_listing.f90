@@ -13,6 +13,7 @@ module report_body_listing
     use cut_offsets, only: offset_table_type
     use cut_outline, only: cut_type
     use deck_job, only: job_type
+    use report_arc_listing, only: arc_table_type, print_arcs
     use report_clearance_listing, only: print_clearances
     use report_cut_listing, only: print_cut
     use report_faired_listing, only: print_faired
@@ -49,6 +50,7 @@ module report_body_listing
         procedure :: print_body_clearances
         procedure :: print_body_cut
         procedure :: print_body_outline
+        procedure :: print_body_arcs
     end type body_listing_type
 
 contains
@@ -150,5 +152,14 @@ contains
         listing%cuts = listing%cuts + 1
         call print_outline(listing%page, listing%cuts, outline, listing%form, out)
     end subroutine print_body_outline
+
+    !> Prints the circular arcs of the cut printed last.
+    subroutine print_body_arcs(listing, cut, tables, out)
+        class(body_listing_type), intent(inout) :: listing  !! the listing
+        type(cut_type), intent(in) :: cut                   !! the cut
+        type(arc_table_type), intent(in) :: tables(:)       !! one a contour; none: none are asked
+        type(output_type), intent(inout) :: out             !! where they go
+        call print_arcs(listing%page, listing%cuts, cut, tables, listing%form, out)
+    end subroutine print_body_arcs
 
 end module report_body_listing

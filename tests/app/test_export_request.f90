@@ -76,6 +76,8 @@ contains
         request = request_of('export|a|-o|b.stl|--binary|--open|--angle|5')
         call tap%ok(request%settings%is_binary .and. request%settings%is_open .and. &
             nint(request%settings%angle) == 5, 'meshes')
+        request = request_of('export|a|-o|b.nc|--arcs')
+        call tap%ok(request%settings%has_arcs, 'arcs')
         request = request_of('export|a|-o|b.igs|--iges-conics')
         call tap%ok(request%settings%has_conics, 'conics')
         request = request_of('export|a|-o|b.nc|--feed|1|--depth|-2|--safe|3')
@@ -101,6 +103,8 @@ contains
             'a binary OBJ')
         call refused('export|a|-o|b.csv|--units|m', '--units does not go with csv', &
             'a unit of CPACS, which has but one')
+        call refused('export|a|-o|b.svg|--arcs', '--arcs does not go with svg, but with: dxf nc', &
+            'arcs on paper')
         call refused('export|a|-o|b.stl|--cut|1', &
             '--cut does not go with stl, but with: svg pdf dxf iges step nc', 'cuts of a mesh')
     end subroutine check_formats
@@ -118,6 +122,8 @@ contains
             'a machine in feet')
         call refused('export|a|-o|b.nc|--depth|.1', '--depth is below 0', 'a cut in the air')
         call refused('export|a|-o|b.nc|--depth|0', '--depth is below 0', 'no depth')
+        call refused('export|a|-o|b.dxf|--arcs|--3d', '--arcs are in the plane of a cut', &
+            'arcs in space')
         call refused('export|a|-o|b.stl|--angle|91', '--angle is 90 degrees at most', &
             'a mesh of nothing')
     end subroutine check_combinations

@@ -34,6 +34,7 @@ program test_body_layout
     call name(body_card%radius, 'RADIUS')
     call name(body_card%section, 'SECTION')
     call name(body_card%skin, 'SKIN')
+    call name(body_card%arcs, 'ARCS')
     call name(body_card%station, 'STATION')
     call name(body_card%plane, 'PLANE')
     call name(body_card%check_box, 'CHECK')

@@ -67,9 +67,9 @@ contains
     subroutine standing_orders()
         integer :: i
         call job_of(body_text// &
-            'WATERLN,0,0,9,1|FLANGE,FWD|SKIN,.5|POINTS,BL,2.|LIMIT,BL,1.,|WATERLN,0|'// &
+            'WATERLN,0,0,9,1|FLANGE,FWD|SKIN,.5|ARCS,.01|POINTS,BL,2.|LIMIT,BL,1.,|WATERLN,0|'// &
             'BODY,B|WATERLN,0|CHECK,POINT,0,0,0,1|SKIN,0|FLANGE,AFT|POINTS,NUMBER,7|'// &
-            'LIMIT,NONE|WATERLN,0|'// &
+            'LIMIT,NONE|ARCS,0.|WATERLN,0|'// &
             'POINTS,LENGTH,.25|WATERLN,0|POINTS,CHORD,.01|WATERLN,0|POINTS,DEFAULT|STATION,0', &
             job, faults)
         call tap%ok(faults%count == 0, 'standing orders are read')
@@ -78,6 +78,10 @@ contains
                 .not. first(1)%limit(axis%bl)%has_from, 'they say nothing of cuts before')
             call tap%ok(first(2)%is_flange_forward .and. first(2)%skin%digits == 5, &
                 'FLANGE and SKIN')
+            call tap%ok(is_equal(to_real(first(2)%arcs), 0.01_dp) .and. &
+                is_equal(to_real(first(1)%arcs), 0.0_dp) .and. &
+                is_equal(to_real(second(1)%arcs), 0.01_dp) .and. &
+                is_equal(to_real(second(2)%arcs), 0.0_dp), 'ARCS, from its card to the next')
             call tap%ok(first(2)%limit(axis%bl)%has_from .and. &
                 .not. first(2)%limit(axis%bl)%has_to, 'LIMIT')
             call tap%ok(first(2)%points%kind == rule%step .and. &
@@ -105,6 +109,10 @@ contains
     subroutine bad_standing_orders()
         call same('SKIN,-1', '7:6-7 error: the thickness is negative; 0. is no skin|', &
             'a negative skin')
+        call same('ARCS,-.01', '7:6-9 error: the tolerance is negative; 0. ends the arcs|', &
+            'a negative tolerance of arcs')
+        call same('ARCS', '7:9-16 error: T is missing: how far they may be from the curves; 0. '// &
+            'ends them (zero is written 0.)|', 'arcs without a tolerance')
         call same('POINTS,BL,0', '7:11-11 error: VALUE is above zero|', 'a step of zero')
         call same('POINTS,BL', &
             '7:10-10 error: VALUE is missing: step, number, arc length or tolerance|', &

@@ -4,8 +4,8 @@ program test_chords
     use base_error, only: cause, error_type
     use base_kinds, only: dp
     use cut_plane, only: plane_type, station_plane
-    use export_chords, only: chord_polygon, decimals_for, polygon_type, round_polygon, &
-        rounding_error
+    use export_chords, only: chord_polygon, decimals_for, polygon_type, round_polygon, rounded, &
+        rounding_error, widest_gap
     use export_drawing, only: contour_type, curve_type
     use support_sketch, only: ellipse, line_curve, new_contour, segment
     use support_tap, only: tap_type
@@ -17,6 +17,7 @@ program test_chords
     call check_circle(1.0e-6_dp, 'a millionth')
     call check_ellipse()
     call check_straight()
+    call check_gaps()
     call check_rounding()
     call check_errors()
     call check_bad()
@@ -54,6 +55,20 @@ contains
             name//': the place of the largest error is on the circle')
         call tap%ok(all(abs(polygon%at(1, :) - 20.0_dp) <= 0.0_dp), name//': all at the station')
     end subroutine check_circle
+
+    subroutine check_gaps()
+        type(contour_type) :: contour
+        type(curve_type) :: curves(2)
+        real(dp), parameter :: o(3) = [0.0_dp, 0.0_dp, 0.0_dp], a(3) = [0.0_dp, 3.0_dp, 4.0_dp]
+
+        curves(1) = line_curve(o, a)
+        curves(2) = line_curve(a + [0.0_dp, 0.0_dp, 0.5_dp], a)
+        contour = new_contour(curves, .false.)
+        call tap%near(widest_gap(contour), 0.5_dp, 1.0e-15_dp, 'curves that are apart')
+        contour%is_closed = .true.
+        call tap%near(widest_gap(contour), 5.0_dp, 1.0e-15_dp, 'an end that should be the start')
+        call tap%near(rounded(-1.23456_dp, 3), -1.235_dp, 0.0_dp, 'a number rounded')
+    end subroutine check_gaps
 
     subroutine check_ellipse()
         type(polygon_type) :: polygon

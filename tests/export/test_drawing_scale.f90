@@ -31,6 +31,7 @@ program test_drawing_scale
     body = nose_of_the_book()
     request = by_number(plane_of([20.0_dp, 1.0_dp, -10.0_dp], [1.0_dp, 0.0_dp, 0.0_dp]), 9)
     request%skin = 0.05_dp
+    request%arcs = 0.01_dp
     cut = cut_of(body, request)
     allocate (drawing%cuts(1), drawing%lines(1))
     drawing%units = 'INCHES'
@@ -41,6 +42,7 @@ program test_drawing_scale
     call tap%same(metric%units, 'MM', 'the unit is said')
     call tap%near(metric%tolerance, 0.0254_dp, 1.0e-17_dp, 'tolerance')
     call tap%near(metric%cuts(1)%skin, 1.27_dp, 1.0e-15_dp, 'thickness of the skin')
+    call tap%near(metric%cuts(1)%arcs, 0.254_dp, 1.0e-16_dp, 'tolerance of its arcs')
     call tap%ok(all(abs(metric%cuts(1)%plane%origin - inch*[20.0_dp, 1.0_dp, -10.0_dp]) <= 0.0_dp) &
         .and. all(abs(metric%cuts(1)%plane%through - metric%cuts(1)%plane%origin) <= 0.0_dp), &
         'plane')

@@ -2,7 +2,8 @@
 program test_dxf_entity
     use base_kinds, only: dp
     use export_drawing, only: contour_type
-    use export_dxf_entity, only: on_page, put_line, put_point, put_polyline, put_spline, put_words
+    use export_dxf_entity, only: on_page, put_light_polyline, put_line, put_point, put_polyline, &
+        put_spline, put_words
     use export_dxf_page, only: words_type
     use export_dxf_tag, only: dxf_type
     use cut_plane, only: station_plane
@@ -15,12 +16,36 @@ program test_dxf_entity
         6.0_dp, 7.0_dp, 8.0_dp, 9.0_dp], [3, 3])
 
     call check_polyline()
+    call check_bulges()
     call check_simple()
     call check_spline()
     call check_words()
     call tap%finish()
 
 contains
+
+    !> Arcs: a half circle to the left, a quarter to the right, a straight piece.
+    subroutine check_bulges()
+        type(dxf_type) :: old, new
+        type(pairs_type) :: pairs
+        real(dp), parameter :: bulge(3) = [1.0_dp, -0.41421356237309503_dp, 0.0_dp]
+
+        call put_polyline(old, 'A', corners(:2, :), .true., bulge)
+        call read_pairs(old%out%text(), pairs)
+        call tap%ok(size(numbers_of(pairs, 'VERTEX', 42)) == 2, 'two of three corners have bulges')
+        call tap%near(maxval(abs(numbers_of(pairs, 'VERTEX', 42) - bulge(:2))), 0.0_dp, 0.0_dp, &
+            'these')
+        new%has_handles = .true.
+        call put_light_polyline(new, 'A', corners(:2, :), .true., bulge)
+        call read_pairs(new%out%text(), pairs)
+        call tap%ok(pairs%entity_count('LWPOLYLINE', 'A') == 1, 'R2000 has an entity for arcs')
+        call tap%ok(all(nint(numbers_of(pairs, 'LWPOLYLINE', 90)) == [3]) .and. &
+            all(nint(numbers_of(pairs, 'LWPOLYLINE', 70)) == [1]), 'its corners counted, closed')
+        call tap%near(maxval(abs(numbers_of(pairs, 'LWPOLYLINE', 10) - corners(1, :))), 0.0_dp, &
+            0.0_dp, 'where they are')
+        call tap%near(maxval(abs(numbers_of(pairs, 'LWPOLYLINE', 42) - bulge(:2))), 0.0_dp, &
+            0.0_dp, 'and their bulges')
+    end subroutine check_bulges
 
     subroutine check_polyline()
         type(dxf_type) :: flat, solid

@@ -18,6 +18,8 @@ program test_dxf_shape
 
     call check_old()
     call check_new()
+    call check_arcs(.false.)
+    call check_arcs(.true.)
     call check_space()
     call check_points()
     call tap%finish()
@@ -62,6 +64,42 @@ contains
         call tap%same(receipt%entities(2)%kind, 'CLOSED POLYLINE INSIDE', 'and of which side')
         call tap%ok(all(.not. receipt%entities(:2)%is_exact), 'they are not exact')
     end subroutine check_old
+
+    !> The ring as arcs: four quarter circles each; and a shape in space, which stays without.
+    subroutine check_arcs(is_new)
+        logical, intent(in) :: is_new !! R2000
+        type(shape_type) :: shape
+        type(dxf_type) :: file, space
+        type(receipt_type) :: receipt
+        type(error_type), allocatable :: error
+        type(pairs_type) :: pairs
+        real(dp), allocatable :: bulge(:)
+        character(:), allocatable :: entity, corner
+
+        call ring(shape)
+        shape%arcs = 0.01_dp
+        file%has_handles = is_new
+        entity = trim(merge('LWPOLYLINE', 'POLYLINE  ', is_new))
+        corner = trim(merge('LWPOLYLINE', 'VERTEX    ', is_new))
+        call put_shape(file, shape, pen, receipt, error)
+        call tap%ok(.not. allocated(error), entity//': a ring is put as arcs')
+        call read_pairs(file%out%text(), pairs)
+        call tap%ok(pairs%entity_count(entity, 'CUT') == 1 .and. &
+            pairs%entity_count(entity, 'CUT-IN') == 1, 'one on the layer of each side of the skin')
+        allocate (bulge, source=numbers_of(pairs, corner, 42))
+        call tap%ok(size(bulge) == 8, 'four arcs for each circle')
+        call tap%near(maxval(abs(bulge - tan(atan(1.0_dp)/2.0_dp))), 0.0_dp, 1.0e-12_dp, &
+            'each a quarter to the left')
+        call tap%same(receipt%entities(2)%kind, 'CLOSED '//entity//' ARCS INSIDE', 'what it is')
+        call tap%ok(receipt%entities(1)%points == 4 .and. receipt%entities(1)%spans == 4, &
+            'points and arcs are counted')
+        call tap%ok(receipt%entities(1)%error <= 0.01_dp, 'within the tolerance of the arcs')
+        space%has_handles = is_new
+        call put_shape(space, shape, pen_type('CUT', 'CUT-IN', .false., .true., tolerance), &
+            receipt, error)
+        call read_pairs(space%out%text(), pairs)
+        call tap%ok(size(numbers_of(pairs, corner, 42)) == 0, 'in space there are no bulges')
+    end subroutine check_arcs
 
     subroutine check_new()
         type(shape_type) :: shape

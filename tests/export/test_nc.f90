@@ -29,6 +29,7 @@ program test_nc
     call check_ring('MM', 25.4_dp, 0.02_dp)
     call check_ring('INCHES', 1.0_dp, 1.0e-6_dp)
     call check_words()
+    call check_arcs()
     call check_several()
     call check_refusals()
     call tap%finish()
@@ -169,6 +170,41 @@ contains
         call write_nc(drawing, settings, again, receipt, error)
         call tap%same(again%text(), text, 'the same drawing gives the same bytes')
     end subroutine check_words
+
+    !> A ring of circular arcs, and beside it a cut without.
+    subroutine check_arcs()
+        type(drawing_type) :: drawing
+        type(settings_type) :: settings
+        type(shape_type) :: shape
+        type(output_type) :: out
+        type(receipt_type) :: receipt
+        type(error_type), allocatable :: error
+
+        call ring('INCHES', 1.0_dp, 1.0e-3_dp, drawing, settings)
+        drawing%cuts(1)%arcs = 0.01_dp
+        shape = new_shape('STA-30', 30.0_dp)
+        call add_contour(shape, ellipse(shape%plane, [0.0_dp, 0.0_dp], [10.0_dp, 10.0_dp]))
+        call add_shape(drawing, shape)
+        call write_nc(drawing, settings, out, receipt, error)
+        call tap%ok(.not. allocated(error), 'a ring of arcs is written')
+        call tap%has(out%text(), nl//'G0 X9.0000 Y0.0000'//nl//'G1 Z-0.1250 F10.0'//nl// &
+            'G3 X0.0000 Y9.0000 I-9.0000 J0.0000 F20.0'//nl// &
+            'G3 X-9.0000 Y0.0000 I0.0000 J-9.0000'//nl// &
+            'G3 X0.0000 Y-9.0000 I9.0000 J0.0000'//nl// &
+            'G3 X9.0000 Y0.0000 I0.0000 J9.0000'//nl//'G0 Z0.2500'//nl, 'as four quarter circles')
+        call tap%has(out%text(), nl//'(WITHIN 0.01 IN OF THE EXACT SHAPE)'//nl// &
+            '(I AND J LEAD FROM THE START OF AN ARC TO ITS CENTRE)'//nl, &
+            'the larger tolerance is said, and what I and J are')
+        call tap%has(out%text(), nl//'(CIRCULAR ARCS WITHIN 0.01)'//nl, 'of which cut')
+        call tap%same(receipt%entities(1)%kind, 'CLOSED PATH OF ARCS INSIDE', 'the receipt has it')
+        call tap%ok(receipt%entities(2)%spans == 4 .and. receipt%entities(2)%points == 4 .and. &
+            receipt%entities(2)%error <= 0.01_dp, 'with arcs, points and its error')
+        call tap%same(receipt%entities(3)%kind, 'CLOSED PATH', 'a cut without arcs has none')
+        drawing%cuts(2)%arcs = 1.0e-4_dp
+        call write_nc(drawing, settings, out, receipt, error)
+        call tap%has(out%text(), nl//'G3 X0.00000 Y10.00000 I-10.00000 J0.00000 F20.0'//nl, &
+            'a small tolerance has more decimals')
+    end subroutine check_arcs
 
     subroutine check_several()
         type(drawing_type) :: drawing

@@ -4,8 +4,8 @@ program test_arc_chain
     use base_constants, only: pi
     use base_error, only: error_type
     use base_kinds, only: dp
-    use geom_arc_chain, only: arc_pair, arcs_along, chain_arc_type
-    use geom_circular, only: circular_between, circular_type, leaving, wrapped
+    use geom_arc_chain, only: arc_pair, arcs_along, chain_arc_type, reversed_chain
+    use geom_circular, only: circular_between, circular_type, distance_from, leaving, wrapped
     use support_plane_curves, only: example_type
     use support_tap, only: tap_type
     implicit none (type, external)
@@ -122,8 +122,36 @@ contains
         call tap%ok(are_same, 'as many initial points as the method gives at eight tolerances')
         call arcs_along(f, 0.005_dp, arcs, error)
         call tap%ok(size(arcs) + 1 == 29, 'the 29 points of the paper')
+        call check_back(tap, arcs)
         call check_chain(tap, f, arcs, 0.005_dp)
     end subroutine check_cubic
+
+    !> A chain backwards: the same points, primary as they were.
+    subroutine check_back(tap, arcs)
+        type(tap_type), intent(inout) :: tap            !! the tally
+        type(chain_arc_type), intent(in) :: arcs(:)     !! a chain
+        type(chain_arc_type) :: back(size(arcs))
+        integer :: i, count
+        logical :: are_same
+
+        back = reversed_chain(arcs)
+        count = size(arcs)
+        are_same = back(count)%is_primary
+        do i = 1, count - 1
+            are_same = are_same .and. norm2(back(i)%arc%finish - arcs(count - i)%arc%finish) &
+                <= 0.0_dp .and. (back(i)%is_primary .eqv. arcs(count - i)%is_primary) .and. &
+                abs(back(i)%ends(2) - back(i + 1)%ends(1)) <= 0.0_dp
+        end do
+        call tap%ok(are_same, 'backwards it has the same points, secondary where they were')
+        call tap%near(maxval(abs(back(count:1:-1)%deviation - arcs%deviation)), 0.0_dp, 0.0_dp, &
+            'and deviations')
+        are_same = .true.
+        do i = 1, count
+            are_same = are_same .and. distance_from(arcs(i)%arc, arcs(i)%worst) &
+                >= arcs(i)%deviation .and. arcs(i)%deviation > 0.0_dp
+        end do
+        call tap%ok(are_same, 'the place of a deviation is that far from its arc')
+    end subroutine check_back
 
     !> The second example.
     subroutine check_wave(tap)

@@ -3,11 +3,13 @@ program test_plane_curve
     use base_constants, only: pi
     use base_kinds, only: dp
     use geom_plane_curve, only: curvature_stops
+    use geom_plane_spline, only: plane_spline_type
     use support_plane_curves, only: example_type
     use support_tap, only: tap_type
     implicit none (type, external)
 
     type(tap_type) :: tap
+    type(plane_spline_type) :: still
 
     ! y = .1 x (x**2 - 27): an inflection at 0, the greatest curvature at +-3.0334771757.
     call check(example_type(2, [-6.0_dp, 6.0_dp]), [-3.0334771757_dp, 0.0_dp, 3.0334771757_dp], &
@@ -19,6 +21,11 @@ program test_plane_curve
     call tap%ok(size(curvature_stops(example_type(7, [0.0_dp, 9.0_dp]))) == 2, 'a line nowhere')
     call tap%ok(size(curvature_stops(example_type(1, [0.5_dp, 1.5_dp]))) == 2, &
         'nor a parabola off its axis')
+    still%spline%degree = 2
+    still%spline%knot = [0.0_dp, 0.0_dp, 0.0_dp, 1.0_dp, 1.0_dp, 1.0_dp]
+    still%spline%weight = [1.0_dp, 1.0_dp, 1.0_dp]
+    still%spline%pole = reshape([0.0_dp, 0.0_dp, 0.0_dp, 0.0_dp, 1.0_dp, 1.0_dp], [2, 3])
+    call tap%ok(size(curvature_stops(still)) >= 2, 'a curve that starts from a stand is looked at')
     call tap%finish()
 
 contains

@@ -1,6 +1,7 @@
 """Judges a DXF file of LOFT by ezdxf: its structure, units, layers, and where its curves are.
 
-    dxf.py FILE --csv CUTS.csv --within D [--back D] [--units N] [--version AC1009] [--space] ...
+    dxf.py FILE --csv CUTS.csv --within D [--back D] [--units N] [--version AC1009] [--space]
+           [--arcs] ...
 
 Prints the Test Anything Protocol; ends with status 1 where a check fails.
 """
@@ -8,18 +9,26 @@ import argparse
 import re
 
 import ezdxf
+import ezdxf.path
 import numpy as np
 
 from outlines import Tally, add_options, compare, read_cuts
 
 WORDS = {1: 'INCHES', 2: 'FEET', 4: 'MM', 6: 'M'}
 OTHERS = {'0', 'REFERENCE', 'TEXT', 'DEFPOINTS'}
+ARC_CHORDS = 1e-6
 
 
 def polygon(entity, fineness):
     """Points along an entity; of a spline so many that their chords are good enough."""
     kind = entity.dxftype()
-    if kind == 'POLYLINE':
+    if kind in ('POLYLINE', 'LWPOLYLINE') and entity.has_arc:
+        points = [p.xyz for p in ezdxf.path.make_path(entity).flattening(ARC_CHORDS)]
+    elif kind == 'LWPOLYLINE':
+        points = [(x, y, 0) for x, y in entity.get_points('xy')]
+        if entity.closed:
+            points.append(points[0])
+    elif kind == 'POLYLINE':
         points = [v.dxf.location.xyz for v in entity.vertices]
         if entity.is_closed:
             points.append(points[0])
@@ -56,13 +65,34 @@ def judge_structure(tally, document, options):
     return [n for n in names if n.upper() not in OTHERS]
 
 
+def bulges_of(entity):
+    """The bulges of a polyline, that of the last corner of an open one left out."""
+    if entity.dxftype() == 'LWPOLYLINE':
+        bulges, closed = [b for _, _, b in entity.get_points('xyb')], entity.closed
+    else:
+        bulges, closed = [v.dxf.get('bulge', 0) for v in entity.vertices], entity.is_closed
+    return bulges if closed else bulges[:-1]
+
+
+def judge_arcs(tally, entities):
+    """There are arcs, and none of more than 180 degrees."""
+    bulges = np.concatenate([bulges_of(e) for e in entities
+                             if e.dxftype() in ('POLYLINE', 'LWPOLYLINE')])
+    tally.ok(np.count_nonzero(bulges) > 0, f'{np.count_nonzero(bulges)} arcs')
+    tally.ok(abs(bulges).max() <= 1, 'no arc turns by more than 180 degrees')
+
+
 def judge_shapes(tally, document, layers, options):
     """Kinds of entities of each layer; the polygons of those of outsides."""
     found = {}
     splines = document.dxfversion != 'AC1009'
     allowed = {'SPLINE', 'LINE', 'POINT'} if splines else {'POLYLINE', 'POINT'}
+    if options.arcs and splines:
+        allowed |= {'LWPOLYLINE'}
     kinds = {e.dxftype() for e in document.modelspace() if e.dxf.layer in layers}
     tally.ok(kinds <= allowed, f'shapes are {", ".join(sorted(kinds))}')
+    if options.arcs:
+        judge_arcs(tally, [e for e in document.modelspace() if e.dxf.layer in layers])
     dimensions = 3 if options.space else 2
     for layer in layers:
         entities = document.modelspace().query(f'*[layer=="{layer}"]')
@@ -80,6 +110,7 @@ def main():
     parser.add_argument('--version', default='AC1009')
     parser.add_argument('--units', type=int, default=1, help='number of $INSUNITS')
     parser.add_argument('--space', action='store_true', help='the drawing is in space')
+    parser.add_argument('--arcs', action='store_true', help='polylines have arcs')
     parser.add_argument('--lines', type=int, default=0, help='control lines there must be')
     parser.add_argument('--fineness', type=int, default=400, help='points of a span of a spline')
     options = parser.parse_args()

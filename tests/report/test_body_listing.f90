@@ -8,6 +8,8 @@ program test_body_listing
     use cut_outline, only: cut_type
     use cut_plane, only: station_plane
     use deck_job, only: job_type
+    use geom_circular, only: circular_between
+    use report_arc_listing, only: arc_table_type
     use report_body_listing, only: body_listing_type
     use support_job_deck, only: body_text, job_of
     use support_tap, only: tap_type
@@ -20,6 +22,7 @@ program test_body_listing
     type(body_type) :: body
     type(joint_type), allocatable :: joints(:)
     type(cut_type) :: cut
+    type(arc_table_type), allocatable :: tables(:)
     type(output_type) :: out
 
     call job_of('TITLE,A BODY|UNITS,INCHES|OUTPUT,MM|DIGITS,2|PAGE,132,50|'//body_text// &
@@ -32,6 +35,11 @@ program test_body_listing
     allocate (cut%outlines(0), cut%notes(0))
     call listing%print_body_cut(cut, [character(8) :: 'UP'], out)
     call listing%print_body_cut(cut, [character(8) :: 'UP'], out)
+    allocate (tables(1))
+    allocate (tables(1)%arcs(1))
+    tables(1)%arcs(1)%arc = circular_between([0.0_dp, 0.0_dp], 0.0_dp, [1.0_dp, 1.0_dp])
+    call listing%print_body_arcs(cut, tables, out)
+    call tap%has(out%text(), 'ARCS OF CUT 2,', 'arcs are of the cut before them')
     call tap%has(out%text(), 'A BODY', 'the title heads the pages')
     call tap%has(out%text(), &
         'ORDINATES IN      MM, ROUNDED TO 2 DECIMALS', 'OUTPUT and DIGITS are obeyed')
