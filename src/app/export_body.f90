@@ -14,6 +14,7 @@ module app_export_body
     use base_text, only: to_text
     use body_body, only: body_type
     use cut_faired, only: measured_cut
+    use body_panel, only: mirrored_panel, panel_type
     use cut_outline, only: cut_type
     use cut_plane, only: cut_kind
     use deck_job, only: job_type
@@ -59,6 +60,7 @@ contains
         do i = 1, size(computed)
             call tell_progress('building body '//to_text(i)//' of '//to_text(size(computed)))
             call cut_body(job, i, computed(i), faults)
+            call add_panels(computed(i), parts)
             if (size(computed(i)%body%sections) == 0) cycle
             body = computed(i)%body
             parts%bodies = [parts%bodies, body]
@@ -66,6 +68,22 @@ contains
         end do
         parts%is_faulty = faults%has_errors(0)
     end subroutine read_bodies
+
+    !> Takes the patches of a body, with their images where it is symmetric.
+    pure subroutine add_panels(computed, parts)
+        type(computed_body_type), intent(in) :: computed    !! the body
+        type(parts_type), intent(inout) :: parts            !! gets them
+        type(panel_type) :: panel
+        integer :: i
+
+        do i = 1, size(computed%panels)
+            panel = computed%panels(i)
+            parts%panels = [parts%panels, panel]
+            if (.not. computed%body%is_symmetric) cycle
+            panel = mirrored_panel(panel)
+            parts%panels = [parts%panels, panel]
+        end do
+    end subroutine add_panels
 
     !> Notes the stations that the last body is cut at.
     pure subroutine add_stations(cuts, parts)

@@ -2,6 +2,7 @@
 module app_export_parts
     use base_kinds, only: dp
     use body_body, only: body_type
+    use body_panel, only: panel_type
     use export_drawing, only: drawing_type
     implicit none (type, external)
     private
@@ -18,6 +19,7 @@ module app_export_parts
     type :: parts_type
         type(drawing_type) :: drawing               !! cuts and lines, or cards, as curves
         type(body_type), allocatable :: bodies(:)   !! those with sections; in units of the deck
+        type(panel_type), allocatable :: panels(:)  !! patches with their images; units of the deck
         type(station_type), allocatable :: stations(:) !! in the order of the deck
         real(dp) :: factor = 1.0_dp                 !! units of the file in one of the deck
         logical :: is_body_deck = .false.           !! the deck is one of bodies
@@ -36,7 +38,7 @@ contains
         parts%drawing%title = title
         parts%drawing%units = units
         allocate (parts%drawing%cuts(0), parts%drawing%lines(0), parts%bodies(0), &
-            parts%stations(0))
+            parts%panels(0), parts%stations(0))
     end subroutine begin_parts
 
 end module app_export_parts

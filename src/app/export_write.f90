@@ -29,6 +29,7 @@ module app_export_write
     use export_shell, only: skin_model_type
     use export_shell_build, only: build_shell, scale_shell
     use export_shell_merge, only: append_model
+    use export_shell_patch, only: shell_of_patch
     use export_step, only: write_step
     use export_stl, only: write_stl
     use export_wgs, only: write_wgs
@@ -164,6 +165,10 @@ contains
             do k = 1, size(skin%faces)
                 skin%faces(k)%name = name_in(parts, i, skin%faces(k)%name)
             end do
+            call append_model(model, skin)
+        end do
+        do i = 1, size(parts%panels)
+            call shell_of_patch(parts%panels(i), skin)
             call append_model(model, skin)
         end do
         call scale_shell(model, parts%factor)

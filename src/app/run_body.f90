@@ -102,6 +102,7 @@ contains
             call listing%print_body_head(computed%body, computed%joints, out)
             call listing%print_faired_lines(faired_views(job%body(i), computed%body%lines), out)
             call listing%print_body_ring(computed%body, computed%ring, out)
+            call listing%print_body_patches(computed%panels, out)
             call listing%print_offset_tables(computed%heights, computed%half_breadths, &
                 computed%sections, out)
             call listing%print_body_measures(computed%measure, out)

@@ -50,5 +50,10 @@ module base_tolerances
     !> Relative width of the bracket in which the critical multiplier of a faired curve is found,
     !> and how much of it may be used: beyond, the curve is all bulges.
     real(dp), parameter, public :: critical_tolerance = 1.0e-9_dp, critical_share = 0.999_dp
+    !> How near the edges of a panel are to its sides: less than can be measured on any part, more
+    !> than rounding. Relative to the panel.
+    real(dp), parameter, public :: panel_tolerance = 1.0e-9_dp
+    !> How near the curves of cuts on panels are to them in drawings. Relative to the panel.
+    real(dp), parameter, public :: panel_curve_tolerance = 1.0e-8_dp
 
 end module base_tolerances

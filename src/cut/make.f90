@@ -18,7 +18,7 @@ module cut_make
     implicit none (type, external)
     private
 
-    public :: make_cut
+    public :: make_cut, needs_both_halves
 
 contains
 

@@ -16,11 +16,12 @@ module cut_outline
     use cut_plane, only: plane_type
     use geom_arc, only: arc_type
     use geom_arc_point, only: slope_type
+    use geom_bspline, only: bspline_type
     use geom_place, only: place_type
     implicit none (type, external)
     private
 
-    public :: cut_type, outline_type, piece_type, cut_point_type, note_type
+    public :: cut_type, outline_type, piece_type, cut_point_type, note_type, panel_curve_type
 
     !> A point of a cut. A value that does not exist is marked absent and is zero.
     type :: cut_point_type
@@ -58,6 +59,13 @@ module cut_outline
         type(cut_point_type), allocatable :: points(:)  !! in order
     end type outline_type
 
+    !> An outline on a panel as a curve.
+    type :: panel_curve_type
+        type(bspline_type) :: spline        !! in space, over its length, deck units
+        real(dp) :: error = 0.0_dp          !! largest distance from the outline, measured
+        real(dp) :: worst(3) = 0.0_dp       !! where
+    end type panel_curve_type
+
     !> Something the user will want to know of a cut.
     type :: note_type
         logical :: is_error = .false.           !! the cut can't be relied upon
@@ -76,6 +84,12 @@ module cut_outline
                                                         !! slope and curvature are of the inside
         real(dp) :: arcs = 0.0_dp                       !! tolerance of circular arcs in place of
                                                         !! its curves, deck units; 0: not asked
+        type(outline_type), allocatable :: patched(:)   !! of panels, where there are any: no
+                                                        !! pieces; `section` counts on from
+                                                        !! the sections of the body
+        type(panel_curve_type), allocatable :: curves(:) !! each of these as a curve
+        integer :: sections = 0                         !! of the body, where there are panels
+        real(dp) :: off_plane = 0.0_dp                  !! of these, before they are put into it
         real(dp) :: disagreement = 0.0_dp               !! largest distance between the two ways
         type(note_type), allocatable :: notes(:)        !! in no order
     end type cut_type

@@ -70,11 +70,11 @@ module deck_body_layout
         integer :: conic = 10, rho = 11, tangent = 12, tangent_rho = 13, four_points = 14
         integer :: five_points = 15, straight = 16, circle = 17, radius = 18
         integer :: cyclic = 19, blend = 20, point = 21
-        integer :: section = 22, faired = 23
-        integer :: points = 24, limit = 25, flange = 26, skin = 27, arcs = 28
-        integer :: station = 29, stations = 30, buttock = 31, waterline = 32, oblique = 33, &
-            plane = 34
-        integer :: check_point = 35, check_sphere = 36, check_box = 37, end = 38
+        integer :: section = 22, patch = 23, faired = 24
+        integer :: points = 25, limit = 26, flange = 27, skin = 28, arcs = 29
+        integer :: station = 30, stations = 31, buttock = 32, waterline = 33, oblique = 34, &
+            plane = 35
+        integer :: check_point = 36, check_sphere = 37, check_box = 38, end = 39
     end type body_card_list
 
     !> Which card is which.
@@ -85,7 +85,7 @@ module deck_body_layout
         one_slope = 'LAST DXDY KNUCKLE', no_slope = 'KNUCKLE'
 
     !> The cards of a body deck besides TITLE and UNITS.
-    type(body_layout_type), parameter, public :: body_layout(38) = [ &
+    type(body_layout_type), parameter, public :: body_layout(39) = [ &
         body_layout_type('OUTPUT', '', '', &
         'unit of the listing; CSV and files keep the unit of the deck'), &
         body_layout_type('DIGITS', '', '', 'decimals of the ordinates in the listing'), &
@@ -120,6 +120,8 @@ module deck_body_layout
         'data card of a SPLINE, BEZIER or FAIR line, or of FAIRED: one point; it has no word'), &
         body_layout_type('SECTION', '', '', &
         'a conic of the cross-section at every station of its lines'), &
+        body_layout_type('PATCH', '', '', &
+        'a Coons patch between four sides, counter-clockwise as seen from outside'), &
         body_layout_type('FAIRED', '', '', &
         'a closed outline at a station, faired near the points that follow; stands by itself'), &
         body_layout_type('POINTS', '', '', &

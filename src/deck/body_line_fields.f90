@@ -24,8 +24,8 @@ module deck_body_line_fields
         body_field_type(card%nose, 2, 'R', form%number, need%always, 'deck unit', &
         'radius of the nose, above zero')]
 
-    !> LINE, SECTION and FAIRED.
-    type(body_field_type), parameter, public :: line_fields(18) = [ &
+    !> LINE, SECTION, PATCH and FAIRED.
+    type(body_field_type), parameter, public :: line_fields(26) = [ &
         body_field_type(card%line, 2, 'NAME', form%name, need%always, 'none', &
         'name of the line'), &
         body_field_type(card%line, 3, 'VIEW', form%word, need%always, 'none', &
@@ -52,6 +52,22 @@ module deck_body_line_fields
         'last station it is limited to'), &
         body_field_type(card%section, 10, 'SIDE', form%word, need%optional, 'none', &
         'with SYMMETRY NO: PORT mirrors it, BOTH does both', 'STBD PORT BOTH'), &
+        body_field_type(card%patch, 2, 'NAME', form%name, need%always, 'none', &
+        'name of the patch'), &
+        body_field_type(card%patch, 3, 'SIDE1', form%either, need%always, 'deck unit', &
+        'a line; or a station: the arc there between the sides beside it'), &
+        body_field_type(card%patch, 4, 'SIDE2', form%either, need%always, 'deck unit', &
+        'as SIDE1; POINT: the side is where the sides beside it meet'), &
+        body_field_type(card%patch, 5, 'SIDE3', form%either, need%always, 'deck unit', &
+        'as SIDE2'), &
+        body_field_type(card%patch, 6, 'SIDE4', form%either, need%always, 'deck unit', &
+        'as SIDE2'), &
+        body_field_type(card%patch, 7, 'BLEND', form%word, need%optional, 'none', &
+        'twists: Adini''s, none, of the linear blend; else TWIST', 'TWIST FLAT LINEAR'), &
+        body_field_type(card%patch, 8, 'FROM', form%number, need%optional, 'deck unit', &
+        'first station where its lines may meet'), &
+        body_field_type(card%patch, 9, 'TO', form%number, need%optional, 'deck unit', &
+        'last station where its lines may meet'), &
         body_field_type(card%faired, 2, 'NAME', form%name, need%always, 'none', &
         'name of the outline'), &
         body_field_type(card%faired, 3, 'STA', form%number, need%always, 'deck unit', &

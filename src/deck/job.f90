@@ -10,8 +10,8 @@ module deck_job
     private
 
     public :: job_type, body_type, control_line_type, view_type, piece_type
-    public :: section_type, outline_type, end_slope_type, cut_type, point_rule_type, range_type
-    public :: check_type
+    public :: section_type, outline_type, end_slope_type, patch_type, bound_type, cut_type
+    public :: point_rule_type, range_type, check_type
     public :: piece_real, cut_real, check_real
 
     !> Characters of a name.
@@ -76,6 +76,22 @@ module deck_job
         integer :: both = 3         !! both of these
     end type side_list
     type(side_list), parameter, public :: side = side_list()
+
+    !> What a side of a patch is.
+    type, public :: bound_list
+        integer :: line = 1     !! a part of a line
+        integer :: station = 2  !! the arc of a section at a station
+        integer :: point = 3    !! where the sides beside it meet
+    end type bound_list
+    type(bound_list), parameter, public :: bound = bound_list()
+
+    !> How a patch is blended between its sides.
+    type, public :: twist_list
+        integer :: adini = 1    !! with Adini's twists
+        integer :: none = 2     !! by cubics, without twists
+        integer :: linear = 3   !! by straight lines
+    end type twist_list
+    type(twist_list), parameter, public :: twist = twist_list()
 
     !> The cuts, and the numbers they have.
     type, public :: cut_list
@@ -175,6 +191,22 @@ module deck_job
         type(card_type) :: card                     !! its card
     end type outline_type
 
+    !> A side of a patch.
+    type :: bound_type
+        integer :: kind = 0             !! one of `bound%...`
+        integer :: line = 0             !! that line
+        type(decimal_type) :: station   !! that station
+    end type bound_type
+
+    !> A patch between four sides, which go round counter-clockwise as seen from outside.
+    type :: patch_type
+        character(name_length) :: name = '' !! its name
+        type(bound_type) :: side(4)         !! its sides
+        integer :: twist = 1                !! one of `twist%...`
+        type(range_type) :: range           !! stations where its lines may meet
+        type(card_type) :: card             !! its card
+    end type patch_type
+
     !> How the points of a cut are spread; for its own card or by POINTS, already decided.
     type :: point_rule_type
         integer :: kind = 2             !! one of `rule%...`
@@ -217,6 +249,7 @@ module deck_job
         type(control_line_type), allocatable :: line(:) !! its control lines
         type(section_type), allocatable :: section(:)   !! its sections
         type(outline_type), allocatable :: outline(:)   !! its faired outlines
+        type(patch_type), allocatable :: patch(:)       !! its patches
         type(cut_type), allocatable :: cut(:)           !! the cuts asked of it, in deck order
         type(check_type), allocatable :: check(:)       !! clearances asked of it
     end type body_type

@@ -14,6 +14,7 @@ module deck_job_deed
         wordless_card
     use deck_job_list, only: append
     use deck_job_outline, only: refuse_outline, take_outline
+    use deck_job_patch, only: take_patch
     use deck_job_setting, only: default_joint_gap, take_setting, take_standing
     use deck_job_state, only: state_type
     implicit none (type, external)
@@ -130,6 +131,8 @@ contains
             call take_section(state, card, faults)
         case (body_card%faired)
             call take_outline(state, card, faults)
+        case (body_card%patch)
+            call take_patch(state, card, faults)
         case (body_card%station:body_card%plane)
             call take_cut(state, card, kind, faults)
         case (body_card%check_point:body_card%check_box)

@@ -2,7 +2,7 @@
 !> their length in the end.
 module deck_job_list
     use deck_job, only: body_type, check_type, control_line_type, cut_type, outline_type, &
-        piece_type, section_type
+        patch_type, piece_type, section_type
     implicit none (type, external)
     private
 
@@ -14,7 +14,7 @@ module deck_job_list
     !> Puts an item at the end of a list that holds `count` of them.
     interface append
         module procedure append_body, append_line, append_piece, append_section, append_cut, &
-            append_check, append_outline
+            append_check, append_outline, append_patch
     end interface append
 
 contains
@@ -120,6 +120,23 @@ contains
         count = count + 1
         list(count) = item
     end subroutine append_cut
+
+    !> Adds a patch.
+    pure subroutine append_patch(list, count, item)
+        type(patch_type), allocatable, intent(inout) :: list(:) !! the list
+        integer, intent(inout) :: count !! items in it
+        type(patch_type), intent(in) :: item !! what to add
+        type(patch_type), allocatable :: grown(:)
+
+        if (.not. allocated(list)) allocate (list(first_room))
+        if (count == size(list)) then
+            allocate (grown(2*count))
+            grown(:count) = list
+            call move_alloc(grown, list)
+        end if
+        count = count + 1
+        list(count) = item
+    end subroutine append_patch
 
     !> Adds a component.
     pure subroutine append_check(list, count, item)

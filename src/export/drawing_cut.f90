@@ -61,7 +61,27 @@ contains
                 call append(shape%contours, inside(k))
             end do
         end do
+        if (allocated(cut%patched)) call draw_patched(cut, shape)
     end subroutine draw_cut
+
+    !> Draws the outlines on patches; each is one curve. The bevels of patches are not marked.
+    pure subroutine draw_patched(cut, shape)
+        type(cut_type), intent(in) :: cut           !! of a body with patches
+        type(shape_type), intent(inout) :: shape    !! gets a contour for each
+        type(contour_type) :: contour
+        integer :: i
+
+        do i = 1, size(cut%patched)
+            contour%is_closed = cut%patched(i)%is_closed
+            if (allocated(contour%curves)) deallocate (contour%curves, contour%marks)
+            allocate (contour%curves(1), contour%marks(0))
+            contour%curves(1)%spline = cut%curves(i)%spline
+            contour%curves(1)%error = cut%curves(i)%error
+            contour%curves(1)%worst = cut%curves(i)%worst
+            contour%curves(1)%section = ''
+            call append(shape%contours, contour)
+        end do
+    end subroutine draw_patched
 
     !> What is said of a shape, all but its contours.
     pure subroutine describe(body, cut, shape)

@@ -7,6 +7,7 @@ module report_body_listing
     use body_faired, only: faired_type
     use body_ledger, only: joint_type
     use body_outline, only: outline_type
+    use body_panel, only: panel_type
     use body_ring_list, only: ring_type
     use cut_clearance, only: clearance_type
     use cut_measure_body, only: body_measure_type
@@ -23,6 +24,7 @@ module report_body_listing
     use report_ordinate, only: new_form, ordinate_form_type
     use report_outline_listing, only: print_outline
     use report_page, only: page_type
+    use report_patch_listing, only: print_patches
     use report_ring_listing, only: print_ring
     use report_title_page, only: print_title_page
     implicit none (type, external)
@@ -45,6 +47,7 @@ module report_body_listing
         procedure :: print_body_head
         procedure :: print_faired_lines
         procedure :: print_body_ring
+        procedure :: print_body_patches
         procedure :: print_offset_tables
         procedure :: print_body_measures
         procedure :: print_body_clearances
@@ -106,6 +109,14 @@ contains
         type(output_type), intent(inout) :: out             !! where it goes
         call print_ring(listing%page, body, ring, listing%coarse, out)
     end subroutine print_body_ring
+
+    !> Prints the patches of a body.
+    subroutine print_body_patches(listing, panels, out)
+        class(body_listing_type), intent(inout) :: listing  !! the listing
+        type(panel_type), intent(in) :: panels(:)           !! of the body
+        type(output_type), intent(inout) :: out             !! where they go
+        call print_patches(listing%page, panels, listing%coarse, out)
+    end subroutine print_body_patches
 
     !> Prints the tables of offsets.
     subroutine print_offset_tables(listing, heights, half_breadths, sections, out)

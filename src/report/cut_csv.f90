@@ -5,7 +5,7 @@
 module report_cut_csv
     use base_output, only: output_type
     use base_text, only: to_text
-    use cut_outline, only: cut_point_type, cut_type
+    use cut_outline, only: cut_point_type, cut_type, outline_type
     use base_digits, only: shortest
     use report_slope, only: slope_text
     implicit none (type, external)
@@ -32,18 +32,31 @@ contains
         character(*), intent(in) :: section_names(:) !! names of the body's sections
         type(output_type), intent(inout) :: out      !! where they go
         character(:), allocatable :: front
-        integer :: i, k
+        integer :: i
 
         front = to_text(number)//','//trim(kind_names(cut%plane%kind))//','
         do i = 1, size(cut%outlines)
-            associate (outline => cut%outlines(i))
-                do k = 1, size(outline%points)
-                    call out%line(front//trim(section_names(outline%points(k)%section))//','// &
-                        point_text(outline%points(k)))
-                end do
-            end associate
+            call print_outline_csv(front, cut%outlines(i), section_names, out)
+        end do
+        if (.not. allocated(cut%patched)) return
+        do i = 1, size(cut%patched)
+            call print_outline_csv(front, cut%patched(i), section_names, out)
         end do
     end subroutine print_cut_csv
+
+    !> Prints the points of an outline.
+    subroutine print_outline_csv(front, outline, section_names, out)
+        character(*), intent(in) :: front            !! what stands in front of each row
+        type(outline_type), intent(in) :: outline    !! the outline
+        character(*), intent(in) :: section_names(:) !! names of the body's sections and patches
+        type(output_type), intent(inout) :: out      !! where they go
+        integer :: k
+
+        do k = 1, size(outline%points)
+            call out%line(front//trim(section_names(outline%points(k)%section))//','// &
+                point_text(outline%points(k)))
+        end do
+    end subroutine print_outline_csv
 
     !> The numbers of a point; one that does not exist is an empty field.
     pure function point_text(point) result(text)

@@ -1,0 +1,132 @@
+!> Where two control lines meet in space: the stations at which both have the same BL and WL.
+module body_meeting
+    use base_kinds, only: dp
+    use body_line, only: line_type
+    use geom_chain, only: chain_joints, chain_value
+    use geom_zeros, only: function_type, sample_points, zeros_of
+    implicit none (type, external)
+    private
+
+    public :: meetings_of, nearest_gap
+
+    !> The difference of two lines along one axis.
+    type, extends(function_type) :: difference_type
+        type(line_type) :: first    !! a line
+        type(line_type) :: second   !! another
+        integer :: axis = 1         !! 1 BL, 2 WL
+    contains
+        procedure :: at => difference
+    end type difference_type
+
+contains
+
+    !> The stations of a range where two lines meet, rising. Lines that keep together for a while
+    !> meet at its ends.
+    pure function meetings_of(first, second, range, gap) result(meetings)
+        type(line_type), intent(in) :: first    !! a line
+        type(line_type), intent(in) :: second   !! another
+        real(dp), intent(in) :: range(2)        !! both are there, deck units
+        real(dp), intent(in) :: gap             !! by which they may miss, deck units
+        real(dp), allocatable :: meetings(:)
+        real(dp), allocatable :: candidates(:), stops(:)
+        type(difference_type) :: along
+        real(dp) :: next
+        integer :: i
+
+        allocate (meetings(0))
+        if (.not. range(1) <= range(2)) return
+        allocate (stops(0))
+        stops = stops_of(first, second, range)
+        allocate (candidates, source=stops)
+        along%first = first
+        along%second = second
+        do i = 1, size(stops) - 1
+            along%axis = 1
+            candidates = [candidates, zeros_of(along, stops(i), stops(i + 1), 1.0e-3_dp*gap)]
+            along%axis = 2
+            candidates = [candidates, zeros_of(along, stops(i), stops(i + 1), 1.0e-3_dp*gap)]
+        end do
+        next = -huge(1.0_dp)
+        do while (any(candidates > next))
+            next = minval(candidates, mask=candidates > next)
+            if (distance(first, second, next) > gap) cycle
+            if (size(meetings) > 0) then
+                if (all_near(meetings(size(meetings)), next)) then
+                    i = size(meetings)
+                    if (distance(first, second, next) < distance(first, second, meetings(i))) &
+                        meetings(i) = next
+                    cycle
+                end if
+            end if
+            meetings = [meetings, next]
+        end do
+    contains
+        !> True where two stations, and what is between them, are one meeting.
+        pure logical function all_near(one, other)
+            real(dp), intent(in) :: one     !! deck units
+            real(dp), intent(in) :: other   !! deck units
+            all_near = other - one <= gap .and. &
+                distance(first, second, 0.5_dp*(one + other)) <= gap
+        end function all_near
+    end function meetings_of
+
+    !> The ends of a range and the joints of two lines inside, rising, each once.
+    pure function stops_of(first, second, range) result(stops)
+        type(line_type), intent(in) :: first    !! a line
+        type(line_type), intent(in) :: second   !! another
+        real(dp), intent(in) :: range(2)        !! deck units
+        real(dp), allocatable :: stops(:), joints(:)
+
+        allocate (joints(0))
+        joints = [chain_joints(first%side), chain_joints(second%side)]
+        if (first%has_plan) joints = [joints, chain_joints(first%plan)]
+        if (second%has_plan) joints = [joints, chain_joints(second%plan)]
+        stops = [range(1)]
+        do while (any(joints > stops(size(stops)) .and. joints < range(2)))
+            stops = [stops, minval(joints, mask=joints > stops(size(stops)))]
+        end do
+        if (range(2) > range(1)) stops = [stops, range(2)]
+    end function stops_of
+
+    !> The station of a range where two lines are nearest to each other, among its samples, and how
+    !> near they are there: deck units.
+    pure function nearest_gap(first, second, range) result(nearest)
+        type(line_type), intent(in) :: first    !! a line
+        type(line_type), intent(in) :: second   !! another
+        real(dp), intent(in) :: range(2)        !! both are there, deck units
+        real(dp) :: nearest(2)
+        real(dp), allocatable :: sta(:)
+        integer :: i
+
+        allocate (sta(0))
+        sta = [range(1), sample_points(range(1), range(2)), range(2)]
+        nearest = [range(1), huge(1.0_dp)]
+        do i = 1, size(sta)
+            if (distance(first, second, sta(i)) < nearest(2)) &
+                nearest = [sta(i), distance(first, second, sta(i))]
+        end do
+    end function nearest_gap
+
+    !> How far two lines are from each other at a station, deck units.
+    pure real(dp) function distance(first, second, sta)
+        type(line_type), intent(in) :: first    !! a line
+        type(line_type), intent(in) :: second   !! another
+        real(dp), intent(in) :: sta             !! deck units
+        distance = hypot(difference(difference_type(first, second, 1), sta), &
+            difference(difference_type(first, second, 2), sta))
+    end function distance
+
+    !> The difference of two lines along an axis at a station, deck units.
+    pure real(dp) function difference(f, x)
+        class(difference_type), intent(in) :: f !! the lines
+        real(dp), intent(in) :: x               !! STA
+        if (f%axis == 2) then
+            difference = chain_value(f%first%side, x) - chain_value(f%second%side, x)
+            return
+        end if
+        difference = 0.0_dp
+        if (f%first%has_plan) difference = chain_value(f%first%plan, x)
+        if (f%second%has_plan) difference = difference - chain_value(f%second%plan, x)
+    end function difference
+
+end module body_meeting

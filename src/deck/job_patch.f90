@@ -1,0 +1,122 @@
+!> PATCH.
+module deck_job_patch
+    use base_fault, only: fault_list_type
+    use base_text, only: to_text
+    use deck_body_card, only: blame, card_type, field_text
+    use deck_body_value, only: decimal_in, is_filled, looks_like_number, real_in
+    use deck_body_word, only: suggestion
+    use deck_job, only: bound, bound_type, name_length, origin, patch_type, range_type, twist, view
+    use deck_job_list, only: append
+    use deck_job_state, only: find_line, state_type, text_of
+    implicit none (type, external)
+    private
+
+    public :: take_patch
+
+    !> The field of the first side.
+    integer, parameter :: first_side = 3
+
+contains
+
+    !> Takes a PATCH card. Its lines stand on cards before it.
+    pure subroutine take_patch(state, card, faults)
+        type(state_type), intent(inout) :: state        !! the job so far
+        type(card_type), intent(in) :: card             !! a card whose fields are sound
+        type(fault_list_type), intent(inout) :: faults  !! what is wrong is added
+        type(patch_type) :: item
+        integer :: i, before
+
+        before = faults%count
+        item%name = text_of(field_text(card, 2))
+        item%card = card
+        call check_name(state, card, faults)
+        do i = 1, 4
+            call take_side(state, card, first_side - 1 + i, item%side(i), faults)
+        end do
+        if (field_text(card, 7) == 'FLAT') item%twist = twist%none
+        if (field_text(card, 7) == 'LINEAR') item%twist = twist%linear
+        item%range = range_type(is_filled(card, 8), is_filled(card, 9), decimal_in(card, 8), &
+            decimal_in(card, 9))
+        if (item%range%has_from .and. item%range%has_to .and. &
+            real_in(card, 8) >= real_in(card, 9)) call blame(card, 9, 'TO is not aft of FROM', &
+            faults)
+        if (.not. faults%has_errors(before)) call check_sides(item, faults)
+        if (.not. faults%has_errors(before)) call append(state%body%patch, state%patches, item)
+    end subroutine take_patch
+
+    !> Sections and patches have names of their own: both stand in the same column of tables.
+    pure subroutine check_name(state, card, faults)
+        type(state_type), intent(in) :: state           !! the job so far
+        type(card_type), intent(in) :: card             !! the card
+        type(fault_list_type), intent(inout) :: faults  !! gets a fault where the name is taken
+        character(:), allocatable :: name
+        integer :: i
+
+        name = field_text(card, 2)
+        do i = 1, state%patches
+            if (state%body%patch(i)%name == name) call blame(card, 2, 'a second PATCH '//name// &
+                '; give it another name', faults)
+        end do
+        do i = 1, state%sections
+            if (state%body%section(i)%name == name) call blame(card, 2, 'there is a SECTION '// &
+                name//'; give the patch another name', faults)
+        end do
+    end subroutine check_name
+
+    !> Reads a side: a station, the word POINT, or a line with a SIDE view.
+    pure subroutine take_side(state, card, field, side, faults)
+        type(state_type), intent(in) :: state           !! the job so far
+        type(card_type), intent(in) :: card             !! the card
+        integer, intent(in) :: field                    !! where the side stands
+        type(bound_type), intent(inout) :: side         !! what it is
+        type(fault_list_type), intent(inout) :: faults  !! what is wrong is added
+        character(name_length) :: names(state%lines + 1)
+        integer :: i
+
+        if (looks_like_number(field_text(card, field))) then
+            side%kind = bound%station
+            side%station = decimal_in(card, field)
+        else if (field_text(card, field) == 'POINT') then
+            side%kind = bound%point
+        else
+            side%kind = bound%line
+            side%line = find_line(state, field_text(card, field))
+            if (side%line == 0) then
+                names(1) = 'POINT'
+                do i = 1, state%lines
+                    names(i + 1) = state%body%line(i)%name
+                end do
+                call blame(card, field, 'there is no LINE '//field_text(card, field)// &
+                    suggestion(field_text(card, field), names), faults)
+            else if (state%body%line(side%line)%view(view%side)%origin == origin%none) then
+                call blame(card, field, 'LINE '//field_text(card, field)//' has no SIDE', faults)
+            end if
+        end if
+    end subroutine take_side
+
+    !> A patch has at most one point for a side, and it and stations stand between lines.
+    pure subroutine check_sides(item, faults)
+        type(patch_type), intent(in) :: item            !! with its sides
+        type(fault_list_type), intent(inout) :: faults  !! what is wrong is added
+        integer :: i, next
+
+        do i = 1, 4
+            next = 1 + mod(i, 4)
+            if (item%side(i)%kind /= bound%line .and. item%side(next)%kind /= bound%line) then
+                call blame(item%card, first_side - 1 + next, 'sides '//to_text(i)//' and '// &
+                    to_text(next)//' are both no lines; a station or a POINT stands between '// &
+                    'two lines', faults)
+                return
+            end if
+        end do
+        if (count(item%side%kind == bound%point) > 1) call blame(item%card, first_side, &
+            'a patch has one POINT for a side at most', faults)
+        do i = 1, 4
+            next = 1 + mod(i, 4)
+            if (item%side(i)%kind /= bound%line .or. item%side(next)%kind /= bound%line) cycle
+            if (item%side(i)%line == item%side(next)%line) call blame(item%card, &
+                first_side - 1 + next, 'a line twice in a row', faults)
+        end do
+    end subroutine check_sides
+
+end module deck_job_patch

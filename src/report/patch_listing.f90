@@ -1,0 +1,73 @@
+!> The patches of a body on pages: how near the edges are to the sides, and which way the middle
+!> faces, so that sides named the wrong way round are seen.
+!>
+!>     PATCHES                OUTWARD NORMAL IN THE MIDDLE
+!>     PATCH       EDGES OFF       STA        BL        WL
+!>     CAP          3.51E-08 -0.517193  0.620121  0.589891
+module report_patch_listing
+    use base_digits, only: fixed, scientific
+    use base_kinds, only: dp
+    use base_output, only: output_type
+    use base_text, only: right
+    use body_panel, only: panel_type
+    use cut_panel_point, only: panel_normal
+    use geom_coons, only: patch_jet_type
+    use geom_surface_jet, only: second_jet
+    use report_ordinate, only: ordinate_form_type
+    use report_page, only: page_columns, page_type
+    implicit none (type, external)
+    private
+
+    public :: print_patches
+
+    !> Columns of the table, decimals of a direction.
+    integer, parameter :: name_width = 11, error_width = 10, part_width = 10, part_decimals = 6
+
+contains
+
+    !> Prints the patches of a body; nothing where it has none.
+    subroutine print_patches(page, panels, form, out)
+        type(page_type), intent(inout) :: page          !! the listing
+        type(panel_type), intent(in) :: panels(:)       !! the patches
+        type(ordinate_form_type), intent(in) :: form    !! unit of the errors
+        type(output_type), intent(inout) :: out         !! where they go
+        character(page_columns) :: head(2)
+        integer :: i
+
+        if (size(panels) == 0) return
+        call page%keep(out, 6)
+        head(1) = 'PATCHES'//right('OUTWARD NORMAL IN THE MIDDLE', &
+            name_width + error_width + 3*part_width - 7)
+        head(2) = 'PATCH      '//right('EDGES OFF', error_width)//right('STA', part_width)// &
+            right('BL', part_width)//right('WL', part_width)
+        call page%set_columns(out, head)
+        do i = 1, size(panels)
+            call page%line(out, row(panels(i), form))
+        end do
+        call page%end_columns()
+        call page%blank(out)
+        call page%blank(out)
+    end subroutine print_patches
+
+    !> The row of a patch.
+    pure function row(panel, form) result(text)
+        type(panel_type), intent(in) :: panel           !! the patch
+        type(ordinate_form_type), intent(in) :: form    !! unit of the error
+        character(page_columns) :: text
+        type(patch_jet_type) :: middle
+        real(dp) :: normal(3)
+        logical :: is_regular
+        integer :: i
+
+        middle = second_jet(panel%surface, 0.5_dp, 0.5_dp)
+        call panel_normal(panel, middle, normal, is_regular)
+        text = panel%name
+        text(name_width + 1:) = scientific(form%factor*panel%error, error_width, 2)
+        if (.not. is_regular) return
+        do i = 1, 3
+            text(name_width + error_width + part_width*(i - 1) + 1:) = &
+                fixed(normal(i), part_width, part_decimals)
+        end do
+    end function row
+
+end module report_patch_listing
