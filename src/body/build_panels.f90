@@ -50,7 +50,7 @@ contains
         end do
     end subroutine build_panels
 
-    !> True where the lines of a patch are there. (Where they are not, that was said of their cards.)
+    !> True where the lines of a patch are there. (If not, that was said of their cards.)
     pure logical function is_buildable(asked, patch, lines)
         type(asked_body_type), intent(in) :: asked  !! as the deck has it
         type(patch_type), intent(in) :: patch       !! one of its patches

@@ -1,6 +1,6 @@
 !> A panel: the surface of a PATCH card, a Coons patch between parts of control lines and arcs of
-!> sections. The sides are splines of degree 5 within `panel_tolerance` of the curves; the surface is
-!> the patch between these, exactly.
+!> sections. The sides are splines of degree 5 within `panel_tolerance` of the curves; the surface
+!> is the patch between these, exactly.
 module body_panel
     use base_error, only: cause, error_type, fail
     use base_kinds, only: dp

@@ -88,7 +88,7 @@ module cut_outline
                                                         !! pieces; `section` counts on from
                                                         !! the sections of the body
         type(panel_curve_type), allocatable :: curves(:) !! each of these as a curve
-        integer :: sections = 0                         !! of the body, where there are panels
+        integer :: sections = huge(1)                   !! of the body, where there are panels
         real(dp) :: off_plane = 0.0_dp                  !! of these, before they are put into it
         real(dp) :: disagreement = 0.0_dp               !! largest distance between the two ways
         type(note_type), allocatable :: notes(:)        !! in no order

@@ -246,7 +246,7 @@ contains
         end do
     end function crossing
 
-    !> Links pieces to tracks. Pieces of no length, which stand where the plane touches, are dropped.
+    !> Links pieces to tracks. Pieces of no length, where the plane touches, are dropped.
     pure subroutine link(panel, noise, pieces, tracks)
         type(panel_type), intent(in) :: panel                               !! any
         real(dp), intent(in) :: noise                                       !! deck units

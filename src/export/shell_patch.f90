@@ -11,7 +11,7 @@ module export_shell_patch
     public :: shell_of_patch
 
     !> The sides of a surface in the order of a patch's sides, with the vertices they run between
-    !> along growing u or v: vertex 1 is u = v = 0, 2 is u = 1, v = 0, 3 is u = v = 1, 4 is the last.
+    !> along growing u or v: vertex 1 is u = v = 0, 2 is u = 1, v = 0, 3 is u = v = 1.
     integer, parameter :: side_of(4) = [surface_side%v_from, surface_side%u_to, &
         surface_side%v_to, surface_side%u_from]
     integer, parameter :: from_of(4) = [1, 2, 4, 1], to_of(4) = [2, 3, 3, 4]

@@ -40,12 +40,14 @@ contains
         character(*), intent(in) :: sections(:)         !! names of the body's sections
         type(ordinate_form_type), intent(in) :: form    !! unit and decimals of ordinates
         type(output_type), intent(inout) :: out         !! where it goes
-        integer :: i
+        integer :: i, met
 
+        met = size(cut%outlines)
+        if (allocated(cut%patched)) met = met + size(cut%patched)
         call page%keep(out, block_lines)
         call page%line(out, head_of(number, cut, form))
         if (is_oblique(cut)) call print_axes(page, cut%plane, form, out)
-        if (size(cut%outlines) + patches_of(cut) == 0) call page%line(out, 'THE PLANE DOES NOT MEET THE SKIN HERE')
+        if (met == 0) call page%line(out, 'THE PLANE DOES NOT MEET THE SKIN HERE')
         do i = 1, size(cut%outlines)
             call page%line(out, 'OUTLINE '//to_text(i)//' OF '//to_text(size(cut%outlines))// &
                 trim(merge(', CLOSED', ', OPEN  ', cut%outlines(i)%is_closed)))
@@ -54,7 +56,7 @@ contains
         if (allocated(cut%inside)) call print_inside(page, cut, sections, form, out)
         if (size(cut%outlines) > 0) call page%line(out, 'FOUND IN TWO WAYS THAT AGREE WITHIN '// &
             trim(adjustl(scientific(form%factor*cut%disagreement, 10, 2))))
-        if (patches_of(cut) > 0) call print_patched(page, cut, sections, form, out)
+        if (met > size(cut%outlines)) call print_patched(page, cut, sections, form, out)
         call print_notes(page, cut%notes, out)
         call page%blank(out)
         call page%blank(out)
@@ -122,9 +124,8 @@ contains
         do i = 1, size(outline%points)
             associate (point => outline%points(i))
                 if (point%section /= section .and. point%section > 0) then
-                    call page%line(out, trim(merge('PATCH  ', 'SECTION', patches_of(cut) > 0 .and. &
-                        point%section > cut%sections))//' '// &
-                        trim(sections(point%section)))
+                    call page%line(out, trim(merge('PATCH  ', 'SECTION', &
+                        point%section > cut%sections))//' '//trim(sections(point%section)))
                     section = point%section
                 end if
                 lines = row(point, is_oblique(cut), form)
@@ -134,13 +135,6 @@ contains
         end do
         call page%end_columns()
     end subroutine print_points
-
-    !> How many outlines a cut has on patches.
-    pure integer function patches_of(cut)
-        type(cut_type), intent(in) :: cut !! the cut
-        patches_of = 0
-        if (allocated(cut%patched)) patches_of = size(cut%patched)
-    end function patches_of
 
     !> Prints the outlines on patches.
     subroutine print_patched(page, cut, sections, form, out)

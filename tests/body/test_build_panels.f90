@@ -14,8 +14,9 @@ program test_build_panels
     use support_tap, only: tap_type
     implicit none (type, external)
 
-    character(*), parameter :: lines = 'LINE,UCL,SIDE|0,0,999.999,2.,6.,10,10,0|LINE,MHB,SIDE,0|'// &
-        'LINE,MHB,PLAN|0,0,999.999,2.,6.,10,10,0|LINE,USH,SIDE|0,0,999.999,2.,4.8,10,8,0|'// &
+    character(*), parameter :: lines = 'LINE,UCL,SIDE|0,0,999.999,2.,6.,10,10,0|'// &
+        'LINE,MHB,SIDE,0|LINE,MHB,PLAN|0,0,999.999,2.,6.,10,10,0|'// &
+        'LINE,USH,SIDE|0,0,999.999,2.,4.8,10,8,0|'// &
         'LINE,USH,PLAN|0,0,999.999,2.,3.6,10,6,0|SECTION,UP,UCL,USH,MHB,0,999.999|STATION,1|'
     type(tap_type) :: tap
     type(panel_type), allocatable :: panels(:)

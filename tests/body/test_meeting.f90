@@ -12,7 +12,8 @@ program test_meeting
     real(dp), allocatable :: found(:)
     real(dp) :: nearest(2)
 
-    arch = control_line('ARCH', half_ellipse(10.0_dp, 10.0_dp, 0.0_dp, 5.0_dp), constant_view(0.0_dp))
+    arch = control_line('ARCH', half_ellipse(10.0_dp, 10.0_dp, 0.0_dp, 5.0_dp), &
+        constant_view(0.0_dp))
     level = control_line('LEVEL', constant_view(0.0_dp), constant_view(0.0_dp))
     found = meetings_of(arch, level, [0.0_dp, 20.0_dp], 1.0e-3_dp)
     call tap%ok(size(found) == 2, 'an ellipse meets its axis at both ends')

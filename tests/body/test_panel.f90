@@ -23,7 +23,8 @@ program test_panel
         call tap%ok(.not. allocated(error), 'a panel between four sides')
         off = 0.0_dp
         do i = 0, 10
-            point = surface_point(panel%surface, real(i, dp)/10.0_dp, real(mod(3*i, 11), dp)/10.0_dp)
+            point = surface_point(panel%surface, real(i, dp)/10.0_dp, &
+                real(mod(3*i, 11), dp)/10.0_dp)
             off = max(off, abs(point(3) - 0.04_dp*point(1)*point(2)))
         end do
         if (kind == twist%none) then

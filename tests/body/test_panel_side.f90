@@ -18,7 +18,8 @@ program test_panel_side
     real(dp) :: at(3), off
     integer :: i
 
-    arch = control_line('ARCH', half_ellipse(10.0_dp, 10.0_dp, 0.0_dp, 5.0_dp), constant_view(2.0_dp))
+    arch = control_line('ARCH', half_ellipse(10.0_dp, 10.0_dp, 0.0_dp, 5.0_dp), &
+        constant_view(2.0_dp))
     side = line_side(arch, 0.0_dp, 20.0_dp)
     call tap%ok(all(side%is_vertical), 'a half ellipse is vertical at both ends')
     call side_spline(side, .false., 1.0e-8_dp, spline, error)
