@@ -4,7 +4,7 @@ module app_computed_body
     use app_requests, only: requests_of
     use app_ring_faults, only: warn_of_ring
     use base_decimal, only: to_real
-    use base_error, only: cause, error_type
+    use base_error, only: error_type
     use base_fault, only: fault_list_type
     use base_kinds, only: dp
     use base_text, only: compact
@@ -23,7 +23,7 @@ module app_computed_body
     use cut_measure_body, only: body_measure_type, measure_body
     use cut_offsets, only: half_breadths, heights, offset_table_type
     use cut_outline, only: cut_type
-    use cut_panel, only: cut_panels
+    use cut_panel, only: add_panels
     use cut_plane, only: cut_kind
     use cut_request, only: request_type
     use deck_body_card, only: blame, warn
@@ -162,7 +162,7 @@ contains
         call requests_of(asked, requests, faults)
         do i = 1, size(requests)
             call make_cut(computed%body, requests(i), made, error)
-            call add_panels(computed, requests(i), made, error)
+            call add_panels(computed%panels, computed%body, requests(i), made, error)
             if (allocated(error)) then
                 call say(asked, error%message, .true., said, faults)
                 cycle
@@ -194,36 +194,6 @@ contains
                 said, faults)
         end do
     end subroutine add_arcs
-
-    !> Adds the outlines on panels to a cut; where it meets a panel it does not matter that no
-    !> section is there.
-    subroutine add_panels(computed, request, made, error)
-        type(computed_body_type), intent(in) :: computed            !! with its panels
-        type(request_type), intent(in) :: request                   !! what is asked
-        type(cut_type), intent(inout) :: made                       !! gets the outlines
-        type(error_type), allocatable, intent(inout) :: error       !! of the cut of the sections
-        type(error_type), allocatable :: trouble
-        type(cut_type) :: cut
-
-        if (size(computed%panels) == 0) return
-        if (allocated(error)) then
-            if (error%cause /= cause%beyond_lines) return
-            cut%plane = request%plane
-            cut%name = request%name
-            cut%is_flange_forward = request%is_flange_forward
-            allocate (cut%outlines(0), cut%inside(0), cut%notes(0))
-        else
-            cut = made
-        end if
-        call cut_panels(computed%panels, size(computed%body%sections), &
-            computed%body%is_symmetric, request, cut, trouble)
-        if (allocated(trouble)) then
-            error = trouble
-        else if (.not. allocated(error) .or. size(cut%patched) > 0) then
-            made = cut
-            if (allocated(error)) deallocate (error)
-        end if
-    end subroutine add_panels
 
     !> Says on the card of a cut what has not been said of it.
     subroutine say(asked, message, is_error, said, faults)

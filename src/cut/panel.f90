@@ -4,8 +4,9 @@
 !> lower BL, then WL. A closed one begins at the foremost of the points that it was found by, and
 !> runs counter-clockwise in its view.
 module cut_panel
-    use base_error, only: error_type
+    use base_error, only: cause, error_type
     use base_kinds, only: dp
+    use body_body, only: body_type
     use body_panel, only: mirrored_panel, panel_type
     use cut_make, only: needs_both_halves
     use cut_outline, only: cut_type, outline_type, panel_curve_type
@@ -20,9 +21,39 @@ module cut_panel
     implicit none (type, external)
     private
 
-    public :: cut_panels, panel_walks
+    public :: add_panels, cut_panels, panel_walks
 
 contains
+
+    !> Adds the outlines on panels to a cut of a body; where it meets a panel it does not matter
+    !> that no section is there. An error of the cut stays, or becomes that of `cut_panels`.
+    pure subroutine add_panels(panels, body, request, made, error)
+        type(panel_type), intent(in) :: panels(:)                   !! of the body
+        type(body_type), intent(in) :: body                         !! finished
+        type(request_type), intent(in) :: request                   !! what is asked
+        type(cut_type), intent(inout) :: made                       !! gets the outlines
+        type(error_type), allocatable, intent(inout) :: error       !! of the cut of the sections
+        type(error_type), allocatable :: trouble
+        type(cut_type) :: cut
+
+        if (size(panels) == 0) return
+        if (allocated(error)) then
+            if (error%cause /= cause%beyond_lines) return
+            cut%plane = request%plane
+            cut%name = request%name
+            cut%is_flange_forward = request%is_flange_forward
+            allocate (cut%outlines(0), cut%inside(0), cut%notes(0))
+        else
+            cut = made
+        end if
+        call cut_panels(panels, size(body%sections), body%is_symmetric, request, cut, trouble)
+        if (allocated(trouble)) then
+            error = trouble
+        else if (.not. allocated(error) .or. size(cut%patched) > 0) then
+            made = cut
+            if (allocated(error)) deallocate (error)
+        end if
+    end subroutine add_panels
 
     !> Adds the outlines of panels to a cut. Their points have the panel for a section, counted on
     !> from the sections of the body. Of a symmetric body the panels are cut as the deck has them,
