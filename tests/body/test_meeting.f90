@@ -15,6 +15,7 @@ program test_meeting
     arch = control_line('ARCH', half_ellipse(10.0_dp, 10.0_dp, 0.0_dp, 5.0_dp), &
         constant_view(0.0_dp))
     level = control_line('LEVEL', constant_view(0.0_dp), constant_view(0.0_dp))
+    allocate (found(0))
     found = meetings_of(arch, level, [0.0_dp, 20.0_dp], 1.0e-3_dp)
     call tap%ok(size(found) == 2, 'an ellipse meets its axis at both ends')
     if (size(found) == 2) call tap%near(maxval(abs(found - [0.0_dp, 20.0_dp])), 0.0_dp, 0.0_dp, &

@@ -26,6 +26,7 @@ program test_panel_spread
     walk%track = tracks(1)
     request%number = 11
     call spread_it()
+    allocate (length(0))
     length = [(norm2(at(:, i + 1) - at(:, i)), i = 1, size(places) - 1)]
     call tap%ok(size(places) == 11, 'as many points as asked')
     call tap%near(maxval(length)/minval(length), 1.0_dp, 2.0e-2_dp, 'evenly along the outline')
