@@ -2,7 +2,7 @@
 !> in space, or as conics and lines where that is asked for, and the skin as B-spline surfaces.
 !>
 !> Each cut has a level of its own, the control lines have one, and so has the skin; property 406
-!> says what a level is for.
+!> says what a level is for. Cuts are whole, also where the deck gives their half.
 !>
 !> Source: "Initial Graphics Exchange Specification, IGES 5.3", U.S. Product Data Association, 1996.
 module export_iges
@@ -11,6 +11,7 @@ module export_iges
     use base_output, only: output_type
     use base_text, only: right, to_text
     use export_drawing, only: drawing_type, shape_type
+    use export_drawn, only: draw_shapes
     use export_iges_card, only: section_type
     use export_iges_file, only: iges_file_type
     use export_iges_head, only: put_global, put_start, resolution_of
@@ -70,14 +71,16 @@ contains
         logical, intent(in) :: has_conics                       !! conics and lines as such
         character(:), allocatable, intent(out) :: levels        !! a line for each, with its end
         type(receipt_type), intent(inout) :: receipt            !! gets curves and faces
+        type(shape_type), allocatable :: cuts(:)
         integer :: level, i
 
         level = 0
         levels = ''
         if (allocated(drawing%cuts)) then
-            do i = 1, size(drawing%cuts)
-                call open_level(drawing%cuts(i)%name//': '//drawing%cuts(i)%title)
-                call add_shape(file, drawing%cuts(i), level, has_conics, receipt)
+            call draw_shapes(drawing, .false., .false., cuts)
+            do i = 1, size(cuts)
+                call open_level(cuts(i)%name//': '//cuts(i)%title)
+                call add_shape(file, cuts(i), level, has_conics, receipt)
             end do
         end if
         if (has_lines(drawing)) then

@@ -20,7 +20,7 @@ same() {
 
 points nose
 both nose
-judge 'the nose' iges.py "$work/nose.igs" --count 126=13 --count 128=2 --csv "$work/nose.csv" \
+judge 'the nose' iges.py "$work/nose.igs" --count 126=22 --count 128=2 --csv "$work/nose.csv" \
     --skin "$work/nose.csv" --within 0.001 --free 4
 same nose 25.4
 
