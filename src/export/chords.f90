@@ -4,7 +4,7 @@
 !> What a chord may miss its curve by is what the curve's own error and the gap to its neighbour
 !> leave of the tolerance. Each chord is measured again, at places between its ends.
 module export_chords
-    use base_digits, only: shortest
+    use base_digits, only: scientific, shortest
     use base_error, only: cause, error_type, fail
     use base_kinds, only: dp
     use export_drawing, only: contour_type
@@ -26,6 +26,9 @@ module export_chords
 
     !> The part of the tolerance that must be left for chords, and that which rounding may take.
     real(dp), parameter :: least_left = 0.01_dp, rounding_part = 0.1_dp
+    !> The finest tolerance of chords, in parts of the largest coordinate: a circle about the origin
+    !> has then some 200000 of them. Finer ones would fill the memory and come near to rounding.
+    real(dp), parameter :: finest_part = 1.0e-10_dp
     !> Places where each chord is measured, besides those where it was made.
     integer, parameter :: measured_places = 4
 
@@ -34,13 +37,14 @@ contains
     !> The polygon of a contour, in space. A contour without curves has one corner.
     !>
     !> Fails with `cause%no_convergence` where the curves are too far from the exact shape to leave
-    !> anything for chords, and `cause%joint_gap` where they do not meet.
+    !> anything for chords, `cause%joint_gap` where they do not meet, and `cause%too_many` where the
+    !> tolerance takes more chords than are of use.
     pure subroutine chord_polygon(contour, tolerance, polygon, error)
         type(contour_type), intent(in) :: contour           !! of finite poles
         real(dp), intent(in) :: tolerance                   !! above zero, unit of the drawing
         type(polygon_type), intent(out) :: polygon          !! where there is no error
         type(error_type), allocatable, intent(out) :: error !! see above
-        real(dp) :: gap
+        real(dp) :: gap, finest
         integer :: i
 
         polygon%is_closed = contour%is_closed
@@ -48,6 +52,14 @@ contains
         polygon%at = reshape(contour%at, [3, 1])
         if (size(contour%curves) == 0) return
         polygon%at = polygon%at(:, :0)
+        finest = finest_part*largest_coordinate(contour)
+        if (tolerance < finest) then
+            call fail(error, cause%too_many, 'chords within '// &
+                trim(adjustl(scientific(tolerance, 9, 2)))// &
+                ' are too many; a shape so large takes a tolerance of '// &
+                trim(adjustl(scientific(finest, 9, 2)))//' or more')
+            return
+        end if
         gap = widest_gap(contour)
         if (gap > 0.5_dp*tolerance) then
             call fail(error, cause%joint_gap, 'the curves of a contour are '//shortest(gap)// &
@@ -61,6 +73,16 @@ contains
         polygon%error = polygon%error + gap
         call drop_repeated(polygon)
     end subroutine chord_polygon
+
+    !> The largest magnitude of a coordinate of the poles.
+    pure real(dp) function largest_coordinate(contour) result(largest)
+        type(contour_type), intent(in) :: contour   !! any
+        integer :: i
+        largest = 0.0_dp
+        do i = 1, size(contour%curves)
+            largest = max(largest, maxval(abs(contour%curves(i)%spline%pole)))
+        end do
+    end function largest_coordinate
 
     !> How far apart ends of neighbouring curves are that should meet.
     pure real(dp) function widest_gap(contour) result(gap)

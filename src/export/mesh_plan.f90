@@ -3,6 +3,7 @@
 !> equal part of what `export_mesh_density` says is wanted.
 module export_mesh_plan
     use base_constants, only: degrees
+    use base_digits, only: shortest
     use base_error, only: cause, error_type, fail
     use base_kinds, only: dp
     use base_text, only: compact
@@ -71,8 +72,8 @@ contains
         end do
         if (is_symmetric) triangles = 2.0_dp*triangles
         if (triangles > most_triangles) then
-            call fail(error, cause%too_many, 'the mesh would have '//compact(triangles)// &
-                ' triangles, and LOFT makes no more than '//compact(most_triangles)// &
+            call fail(error, cause%too_many, 'the mesh would have '//shortest(anint(triangles))// &
+                ' triangles, and LOFT makes no more than '//shortest(most_triangles)// &
                 '; ask for a tolerance and an angle '//compact(triangles/most_triangles)// &
                 ' times as large')
             return

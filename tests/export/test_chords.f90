@@ -170,6 +170,10 @@ contains
         call chord_polygon(contour, 1.0e-3_dp, polygon, error)
         call tap%ok(allocated(error), 'a closed contour that does not close is refused')
         if (allocated(error)) call tap%ok(error%cause == cause%joint_gap, 'as a gap')
+        contour = ellipse(station_plane(0.0_dp), [0.0_dp, 0.0_dp], [10.0_dp, 10.0_dp])
+        call chord_polygon(contour, 1.0e-12_dp, polygon, error)
+        call tap%ok(allocated(error), 'chords in their millions are refused')
+        if (allocated(error)) call tap%ok(error%cause == cause%too_many, 'as too many')
     end subroutine check_bad
 
 end program test_chords

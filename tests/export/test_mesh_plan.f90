@@ -41,7 +41,7 @@ program test_mesh_plan
     call new_plan(density, 1.0e-6_dp, 90.0_dp, .true., finer, error)
     call tap%ok(allocated(error), 'too many triangles are refused')
     call tap%ok(error%cause == cause%too_many, 'as such')
-    call tap%has(error%message, 'no more than 4000000.', 'with the limit')
+    call tap%has(error%message, 'no more than 4000000;', 'with the limit')
 
     call station_plan(density, 0.1_dp, 90.0_dp, [80.0_dp, 20.0_dp, 50.0_dp, 20.0_dp, 100.0_dp, &
         -3.0_dp, 120.0_dp], plan)
