@@ -165,6 +165,7 @@ contains
             do k = 1, size(skin%faces)
                 skin%faces(k)%name = name_in(parts, i, skin%faces(k)%name)
             end do
+            skin%shells%name = name_in(parts, i, 'SKIN')
             call append_model(model, skin)
         end do
         do i = 1, size(parts%panels)
@@ -240,7 +241,9 @@ contains
                 deck_settings(request), request%format /= 'wgs', of_body, error)
             if (allocated(error)) return
             do k = 1, size(of_body%list)
-                of_body%list(k)%name = safe_name(name_in(parts, i, of_body%list(k)%name))
+                if (request%format == 'wgs') &
+                    of_body%list(k)%name = name_in(parts, i, of_body%list(k)%name)
+                of_body%list(k)%name = safe_name(of_body%list(k)%name)
             end do
             networks%list = [networks%list, of_body%list]
             networks%is_by_deck = of_body%is_by_deck

@@ -59,6 +59,7 @@ module export_shell
     type :: shell_type
         integer, allocatable :: faces(:)        !! which
         logical :: is_closed = .false.          !! every edge is used twice, once each way
+        character(24) :: name = 'SKIN'          !! of several bodies with the body's: `POD SKIN`
     end type shell_type
 
     !> All of a body's skin.

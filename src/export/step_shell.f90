@@ -33,22 +33,25 @@ contains
         type(skin_items_type), intent(out) :: items     !! what was added
         type(receipt_type), intent(inout) :: receipt    !! gets an entity for each face
         integer, allocatable :: edges(:)
+        character(:), allocatable :: name
         integer :: i, shell, item
 
         allocate (items%solids(0), items%sheets(0), edges(0))
         if (.not. allocated(model%shells)) return
         call add_edges(file, model, edges)
         do i = 1, size(model%shells)
+            name = step_string(trim(model%shells(i)%name))
             associate (closes => model%shells(i)%is_closed)
                 call add_shell(file, model, i, edges, shell)
                 do item = 1, size(model%shells(i)%faces)
                     call receipt%add(face_entity(model%faces(model%shells(i)%faces(item))))
                 end do
                 if (closes .and. .not. wants_sheets) then
-                    call file%add('MANIFOLD_SOLID_BREP(''SKIN'','//step_reference(shell)//')', item)
+                    call file%add('MANIFOLD_SOLID_BREP('//name//','//step_reference(shell)//')', &
+                        item)
                     items%solids = [items%solids, item]
                 else
-                    call file%add('SHELL_BASED_SURFACE_MODEL(''SKIN'','// &
+                    call file%add('SHELL_BASED_SURFACE_MODEL('//name//','// &
                         step_references([shell])//')', item)
                     items%sheets = [items%sheets, item]
                 end if
@@ -84,15 +87,17 @@ contains
         integer, intent(in) :: which                !! which of its shells
         integer, intent(in) :: edges(:)             !! instances of its edges
         integer, intent(out) :: number              !! of the instance
+        character(:), allocatable :: rest
         integer :: faces(size(model%shells(which)%faces)), i
 
         do i = 1, size(faces)
             call add_face(file, model%faces(model%shells(which)%faces(i)), edges, faces(i))
         end do
+        rest = '('//step_string(trim(model%shells(which)%name))//','//step_references(faces)//')'
         if (model%shells(which)%is_closed) then
-            call file%add('CLOSED_SHELL(''SKIN'','//step_references(faces)//')', number)
+            call file%add('CLOSED_SHELL'//rest, number)
         else
-            call file%add('OPEN_SHELL(''SKIN'','//step_references(faces)//')', number)
+            call file%add('OPEN_SHELL'//rest, number)
         end if
     end subroutine add_shell
 
