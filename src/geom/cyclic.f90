@@ -32,8 +32,20 @@ contains
         real(dp), intent(in) :: alpha       !! radians, above 0, not above pi
         real(dp), intent(in) :: s           !! 0 to 1
         real(dp) :: point(size(pole, 1))
-        point = matmul(pole, values(alpha, s))
+        point = blended(pole, values(alpha, s))
     end function cyclic_point
+
+    !> The sum of vectors times factors, in order: the same figures however it is compiled.
+    pure function blended(vector, factor) result(sum)
+        real(dp), intent(in) :: vector(:, :)    !! shape (dimensions, vectors)
+        real(dp), intent(in) :: factor(:)       !! shape (vectors)
+        real(dp) :: sum(size(vector, 1))
+        integer :: i
+        sum = factor(1)*vector(:, 1)
+        do i = 2, size(factor)
+            sum = sum + factor(i)*vector(:, i)
+        end do
+    end function blended
 
     !> The point of a curve and its first two derivatives over s.
     pure subroutine cyclic_jet(pole, alpha, s, point, first, second)
@@ -61,8 +73,8 @@ contains
         point = cyclic_point(pole, alpha, s)
         ! The sums are zero: by sides of the polygon nothing cancels.
         side = pole(:, 2:) - pole(:, :3)
-        first = alpha*matmul(side, [-slope(1), slope(3) + slope(4), slope(4)])
-        second = alpha**2*matmul(side, [-bend(1), bend(3) + bend(4), bend(4)])
+        first = alpha*blended(side, [-slope(1), slope(3) + slope(4), slope(4)])
+        second = alpha**2*blended(side, [-bend(1), bend(3) + bend(4), bend(4)])
     end subroutine cyclic_jet
 
     !> The four functions at a place.

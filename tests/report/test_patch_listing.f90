@@ -16,6 +16,7 @@ program test_patch_listing
     type(panel_type) :: panels(1)
 
     call page%set_size(80, 60)
+    call page%set_heading('TITLE', 'deck.crd', 'MM')
     call print_patches(page, [panel_type ::], new_form('MM', 'MM', 3), out)
     call tap%same(out%text(), '', 'a body without patches has no table')
     panels(1) = saddle()
