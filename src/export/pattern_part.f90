@@ -3,6 +3,7 @@
 !> drawn.
 module export_pattern_part
     use base_kinds, only: dp
+    use cut_plane, only: in_space
     use export_drawing, only: contour_type, shape_type
     use export_pattern_page, only: page_type
     use export_pattern_room, only: room_type
@@ -22,6 +23,7 @@ module export_pattern_part
         real(dp), allocatable :: control(:, :)  !! Bezier arcs end to end: 3n + 1 points, in
         real(dp), allocatable :: flat(:, :)     !! points of it, near enough for words, in
         real(dp) :: error = 0.0_dp              !! distance from the exact contour, measured, in
+        real(dp) :: worst(3) = 0.0_dp           !! where it is: STA, BL, WL, unit of the drawing
     end type trace_type
 
     !> A part.
@@ -66,7 +68,7 @@ contains
             if (size(shape%contours(i)%curves) == 0) cycle
             count = count + 1
             call trace(shape, shape%contours(i), inch, tolerance, part%traces(count))
-            call receipt%add(entity_of(shape%name, shape%contours(i), part%traces(count), inch))
+            call receipt%add(entity_of(shape%name, part%traces(count), inch))
         end do
         part%traces = part%traces(:count)
         if (count == 0) return
@@ -120,7 +122,7 @@ contains
         type(trace_type), intent(out) :: traced         !! the contour on paper
         type(bspline_type) :: flat
         real(dp), allocatable :: arcs(:, :, :)
-        real(dp) :: largest, left
+        real(dp) :: largest, worst(2), left
         integer :: i
 
         traced%is_closed = contour%is_closed
@@ -128,9 +130,14 @@ contains
         do i = 1, size(contour%curves)
             call flatten(shape, contour%curves(i)%spline, inch, flat)
             left = inch*(tolerance - contour%curves(i)%error) - rounding
-            call cubics_of(flat, max(left, least_share*inch*tolerance), arcs, largest)
+            call cubics_of(flat, max(left, least_share*inch*tolerance), arcs, largest, worst)
             call append(traced%control, arcs)
-            traced%error = max(traced%error, largest + inch*contour%curves(i)%error)
+            associate (curve => contour%curves(i))
+                if (i > 1 .and. largest + inch*curve%error <= traced%error) cycle
+                traced%error = largest + inch*curve%error
+                traced%worst = curve%worst
+                if (largest >= inch*curve%error) traced%worst = in_space(shape%plane, worst/inch)
+            end associate
         end do
         traced%error = traced%error + rounding
         associate (last => size(traced%control, 2))
@@ -201,12 +208,10 @@ contains
     end function bezier_points
 
     !> What the receipt says of a contour.
-    pure type(entity_type) function entity_of(name, contour, traced, inch) result(entity)
+    pure type(entity_type) function entity_of(name, traced, inch) result(entity)
         character(*), intent(in) :: name            !! of its shape
-        type(contour_type), intent(in) :: contour   !! what it is
         type(trace_type), intent(in) :: traced      !! what is drawn
         real(dp), intent(in) :: inch                !! inches of a unit of the drawing
-        integer :: worst
 
         entity%name = name
         entity%kind = 'BEZIER OUTLINE'
@@ -214,10 +219,8 @@ contains
         entity%points = size(traced%control, 2)
         entity%spans = (entity%points - 1)/3
         entity%error = traced%error/inch
-        worst = maxloc(contour%curves%error, dim=1)
-        if (2.0_dp*contour%curves(worst)%error < entity%error) return
         entity%has_place = .true.
-        entity%worst = contour%curves(worst)%worst
+        entity%worst = traced%worst
     end function entity_of
 
     !> True for a point inside of the outlines, by the crossings of a line to its right.

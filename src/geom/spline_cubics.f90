@@ -37,6 +37,7 @@ module geom_spline_cubics
     type :: cubic_type
         real(dp) :: control(2, 4) = 0.0_dp  !! control points, deck units
         real(dp) :: miss = 0.0_dp           !! its distance from the spline, measured
+        real(dp) :: worst(2) = 0.0_dp       !! the point of the spline where that is
     end type cubic_type
 
     !> A stretch of a spline, sampled, and the handles of the arc that stands for it.
@@ -54,21 +55,23 @@ contains
 
     !> The cubic arcs: of each its four control points. Neighbours share their end points, and their
     !> tangents where the spline has one there. `largest` is the largest distance of a point of an
-    !> arc from the spline, measured at 15 points of each. Stretches so short that doubles can't
-    !> part them are taken as they are.
-    pure subroutine cubics_of(spline, tolerance, control, largest)
+    !> arc from the spline, measured at 15 points of each, and `worst` where it is. Stretches so
+    !> short that doubles can't part them are taken as they are.
+    pure subroutine cubics_of(spline, tolerance, control, largest, worst)
         type(bspline_type), intent(in) :: spline                !! in a plane
         real(dp), intent(in) :: tolerance                       !! above zero, deck units
         real(dp), allocatable, intent(out) :: control(:, :, :)  !! shape (2, 4, arcs), deck units
         real(dp), intent(out) :: largest                        !! deck units
+        real(dp), intent(out) :: worst(2)                       !! a point of the spline
         type(bspline_type) :: piece
         type(cubic_type) :: arc
         real(dp) :: from, step, next
         integer :: count, first, last
 
         allocate (control(2, 4, size(spline%weight)))
+        worst = spline%pole(:, 1)
         count = 0
-        largest = 0.0_dp
+        largest = -1.0_dp
         first = 1
         do while (first < size(spline%weight))
             last = piece_end(spline, first)
@@ -77,6 +80,7 @@ contains
             step = spline_to(piece) - from
             do while (from < spline_to(piece))
                 call find_next(piece, from, tolerance, step, next, arc)
+                if (arc%miss > largest) worst = arc%worst
                 largest = max(largest, arc%miss)
                 call append(control, count, arc%control)
                 from = next
@@ -125,10 +129,13 @@ contains
             call improve(piece, stretch)
         end do
         arc%control = control_of(stretch)
+        arc%worst = arc%control(:, 1)
         do i = 1, arc_points
             associate (p => bezier(arc%control, real(i, dp)/real(arc_points + 1, dp)))
                 call find_foot(piece, stretch, p, foot, across)
-                arc%miss = max(arc%miss, norm2(p - foot))
+                if (norm2(p - foot) <= arc%miss) cycle
+                arc%miss = norm2(p - foot)
+                arc%worst = foot
             end associate
         end do
     end function best_arc

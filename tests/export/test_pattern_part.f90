@@ -50,6 +50,11 @@ contains
         call tap%ok(receipt%count == 2 .and. receipt%entities(2)%kind == 'BEZIER INSIDE OF SKIN', &
             'and has the inside')
         call tap%ok(receipt%entities(1)%points == size(part%traces(1)%control, 2), 'and the points')
+        associate (entity => receipt%entities(1))
+            call tap%ok(entity%has_place .and. abs(entity%worst(1) - 20.0_dp) <= 0.0_dp .and. &
+                abs(norm2(entity%worst(2:) - [10.0_dp, 50.0_dp]) - 200.0_dp) < 1.0e-10_dp, &
+                'and the place, on the circle')
+        end associate
         call tap%ok(part%is_region, 'circles close')
         call tap%ok(all(abs(part%box - ([10.0_dp, 50.0_dp, 10.0_dp, 50.0_dp] + [-200.0_dp, &
             -200.0_dp, 200.0_dp, 200.0_dp])/25.4_dp) < 1.0e-4_dp), 'the box is around them')

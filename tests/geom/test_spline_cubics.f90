@@ -16,7 +16,7 @@ program test_spline_cubics
     type(arc_type) :: arc
     type(error_type), allocatable :: error
     real(dp), allocatable :: control(:, :, :)
-    real(dp) :: largest, worst, tolerance
+    real(dp) :: largest, place(2), worst, tolerance
     integer :: i
 
     call arc_through(end_type([5.0_dp, 0.0_dp], [0.0_dp, 1.0_dp]), [3.0_dp, 4.0_dp], &
@@ -24,10 +24,11 @@ program test_spline_cubics
     s = arc_spline(arc)
     do i = 2, 10, 2
         tolerance = 10.0_dp**(-i)
-        call cubics_of(s, tolerance, control, largest)
+        call cubics_of(s, tolerance, control, largest, place)
         call tap%ok(off_circle(control) <= tolerance, &
             'a quarter of a circle is within the tolerance')
         call tap%near(largest/off_circle(control), 1.0_dp, 0.02_dp, 'as far as it says')
+        call tap%near(norm2(place), 5.0_dp, 1.0e-14_dp, 'at a place of the circle')
         call tap%ok(all(control(:, 1, 1) == arc%start) .and. &
             all(control(:, 4, size(control, 3)) == arc%finish), 'its ends are as given')
         call tap%ok(is_smooth(control), 'its arcs meet with one tangent')
@@ -38,13 +39,14 @@ program test_spline_cubics
 
     call arc_through(end_type([0.0_dp, 0.0_dp], [0.0_dp, 1.0_dp]), [1.0_dp, 3.0_dp], &
         end_type([4.0_dp, 4.0_dp], [1.0_dp, 0.0_dp]), arc, error)
-    call cubics_of(arc_spline(arc), 1.0e-9_dp, control, largest)
+    call cubics_of(arc_spline(arc), 1.0e-9_dp, control, largest, place)
     call tap%ok(size(control, 3) == 1 .and. largest < 1.0e-14_dp, &
         'a parabola is one cubic, exactly')
     call tap%ok(all(abs(control(:, 2, 1) - [0.0_dp, 8.0_dp/3.0_dp]) < 1.0e-8_dp), &
         'whose handles are two thirds of the way to the corner')
 
-    call cubics_of(line_spline([1.0_dp, 2.0_dp], [4.0_dp, 8.0_dp]), 1.0e-9_dp, control, largest)
+    call cubics_of(line_spline([1.0_dp, 2.0_dp], [4.0_dp, 8.0_dp]), 1.0e-9_dp, control, largest, &
+        place)
     call tap%ok(size(control, 3) == 1 .and. largest < 1.0e-15_dp .and. &
         all(abs(control(:, 2, 1) - [2.0_dp, 4.0_dp]) < 1.0e-15_dp), &
         'a line is one with even thirds')
@@ -52,7 +54,7 @@ program test_spline_cubics
         reshape([0.0_dp, &
         0.0_dp, 1.0_dp, 2.0_dp, 2.0_dp, 0.0_dp, 3.0_dp, 2.0_dp, 4.0_dp, 0.0_dp], [2, 5]), &
         [(1.0_dp, i=1, 5)])
-    call cubics_of(s, 0.1_dp, control, largest)
+    call cubics_of(s, 0.1_dp, control, largest, place)
     call tap%ok(size(control, 3) == 2 .and. all(control(:, 4, 1) == [2.0_dp, 0.0_dp]) .and. &
         all(control(:, 1, 2) == [2.0_dp, 0.0_dp]), 'a corner is kept')
     call tap%ok(control(2, 3, 1) > 0.1_dp .and. control(2, 2, 2) > 0.1_dp, &
@@ -63,7 +65,7 @@ program test_spline_cubics
         call fit_curve(example_type(i), 1.0e-6_dp, s, largest, worst, error)
         call mapped_spline(s, reshape([1.0_dp, 0.0_dp, 0.0_dp, 1.0_dp, 0.0_dp, 0.3_dp], [2, 3]), &
             [0.0_dp, 0.0_dp], flat)
-        call cubics_of(flat, tolerance, control, largest)
+        call cubics_of(flat, tolerance, control, largest, place)
         call tap%ok(off_spline(flat, control) <= 1.02_dp*tolerance, 'fitted curves are within')
         call tap%ok(is_smooth(control), 'and smooth')
         call tap%ok(size(control, 3) < size(flat%weight), &
