@@ -18,6 +18,7 @@ module geom_cubic_spline
     use base_kinds, only: dp
     use base_text, only: to_text
     use geom_lapack, only: solve_banded
+    use geom_ring_band, only: folded
     implicit none (type, external)
     private
 
@@ -126,17 +127,6 @@ contains
         real(dp), intent(in) :: value           !! what to add
         band(3 + row - column, column) = band(3 + row - column, column) + value
     end subroutine add_to
-
-    !> Places of the points of a ring such that neighbours are never more than two places apart:
-    !> 1, 3, 5 ... 6, 4, 2, the ring folded flat. So its matrix is banded.
-    pure function folded(n) result(place)
-        integer, intent(in) :: n    !! points
-        integer :: place(n)
-        integer :: i
-        do i = 1, n
-            place(i) = merge(2*i - 1, 2*(n - i + 1), 2*i - 1 <= n)
-        end do
-    end function folded
 
     !> Checks the points and sets the length of each segment.
     !>

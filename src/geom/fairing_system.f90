@@ -22,6 +22,7 @@ module geom_fairing_system
     use base_error, only: error_type
     use base_kinds, only: dp
     use geom_lapack, only: solve_hermitian
+    use geom_ring_band, only: folded
     implicit none (type, external)
     private
 
@@ -101,17 +102,6 @@ contains
         type(system_type), intent(in) :: system !! any
         count = size(system%place) - merge(0, 3, system%ends == fairing_end%closed)
     end function segments_of
-
-    !> Places of the vertices of a ring such that neighbours are never more than two places apart:
-    !> 1, 3, 5 ... 6, 4, 2.
-    pure function folded(n) result(place)
-        integer, intent(in) :: n    !! vertices
-        integer :: place(n)
-        integer :: i
-        do i = 1, n
-            place(i) = merge(2*i - 1, 2*(n - i + 1), 2*i - 1 <= n)
-        end do
-    end function folded
 
     !> The places of vertices from a number on, around the ring where it is one.
     pure function places_from(system, first, count) result(place)
