@@ -152,22 +152,21 @@ contains
     pure function corner_gaps(frame) result(gap)
         class(frame_type), intent(in) :: frame !! any
         real(dp) :: gap(0:1, 0:1)
-        real(dp) :: across_u(3, 0:2, 0:2), across_v(3, 0:2, 0:2)
-        integer :: i, j
-
-        do j = 0, 1
-            do i = 0, 1
-                across_u = frame%side_u(i, real(j, dp))
-                across_v = frame%side_v(j, real(i, dp))
-                gap(i, j) = norm2(across_u(:, 0, 0) - across_v(:, 0, 0))
-            end do
-        end do
+        gap = gaps(frame, 0)
     end function corner_gaps
 
     !> How far the twists differ that the two sides of a corner give it, gap(u, v). Where they do, a
     !> patch with slopes keeps neither cross slope near the corner.
     pure function twist_gaps(frame) result(gap)
         class(frame_type), intent(in) :: frame !! any, that knows its cross slopes
+        real(dp) :: gap(0:1, 0:1)
+        gap = gaps(frame, 1)
+    end function twist_gaps
+
+    !> How far the two sides of a corner differ there, in what is derived as often by u as by v.
+    pure function gaps(frame, times) result(gap)
+        class(frame_type), intent(in) :: frame  !! any
+        integer, intent(in) :: times            !! how often: 0 the point, 1 the twist
         real(dp) :: gap(0:1, 0:1)
         real(dp) :: across_u(3, 0:2, 0:2), across_v(3, 0:2, 0:2)
         integer :: i, j
@@ -176,10 +175,10 @@ contains
             do i = 0, 1
                 across_u = frame%side_u(i, real(j, dp))
                 across_v = frame%side_v(j, real(i, dp))
-                gap(i, j) = norm2(across_u(:, 1, 1) - across_v(:, 1, 1))
+                gap(i, j) = norm2(across_u(:, times, times) - across_v(:, times, times))
             end do
         end do
-    end function twist_gaps
+    end function gaps
 
     !> Fails with `cause%joint_gap` where sides do not meet in a corner; names the worst one and its
     !> gap. Corner 1 is that of sides 4 and 1, corner 2 that of 1 and 2, and so on round the patch:
