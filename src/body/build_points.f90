@@ -1,12 +1,12 @@
 !> From the point cards of a view of a control line to its chain: a spline through measured offsets,
 !> a faired curve near them, or a Bezier curve of poles.
 module body_build_points
-    use base_decimal, only: to_real
     use base_error, only: cause, error_type
     use base_fault, only: fault_list_type
     use base_kinds, only: dp
     use base_text, only: to_text
     use base_tolerances, only: type_tolerance
+    use body_points, only: points_of, weights_of
     use deck_body_card, only: blame, blame_span
     use deck_job, only: ending, origin, piece_real, piece_type, view_type
     use geom_arc, only: direction_of_slope
@@ -57,16 +57,6 @@ contains
         end if
     end subroutine build_points
 
-    !> The points of a view, by columns.
-    pure function points_of(given) result(at)
-        type(view_type), intent(in) :: given !! by points
-        real(dp) :: at(2, size(given%piece))
-        integer :: i
-        do i = 1, size(given%piece)
-            at(:, i) = piece_real(given%piece(i), [1, 2])
-        end do
-    end function points_of
-
     !> The segments of the spline through the points.
     pure subroutine spline_strokes(given, strokes, faults)
         type(view_type), intent(in) :: given                        !! a spline
@@ -78,7 +68,7 @@ contains
         real(dp) :: at(2, size(given%piece))
         integer :: i, last
 
-        at = points_of(given)
+        at = points_of(given%piece)
         last = size(given%piece)
         if (last > 1) then
             ends(1) = end_of(given%piece(1), at(:, 2) - at(:, 1), given%is_uniform)
@@ -110,12 +100,8 @@ contains
 
         last = size(given%piece)
         data%ends = fairing_end%held
-        data%point = points_of(given)
-        allocate (data%weight(last), source=to_real(given%weight))
-        do i = 1, last
-            if (given%piece(i)%ending == ending%weight) &
-                data%weight(i) = piece_real(given%piece(i), 3)
-        end do
+        data%point = points_of(given%piece)
+        data%weight = weights_of(given%piece, given%weight)
         call fair(data, 0.0_dp, fairing, error)
         if (allocated(error)) then
             call blame(given%piece(last)%card, 1, error%message, faults)
@@ -185,7 +171,7 @@ contains
         else
             deallocate (strokes)
             allocate (strokes(1))
-            strokes(1) = bezier_stroke(points_of(given))
+            strokes(1) = bezier_stroke(points_of(given%piece))
         end if
     end subroutine bezier_strokes
 

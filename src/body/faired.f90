@@ -1,10 +1,10 @@
 !> What fairing did to measured points: the ordinate of each beside that of the faired line at its
 !> station.
 module body_faired
-    use base_decimal, only: to_real
     use base_kinds, only: dp
     use body_line, only: line_type
-    use deck_job, only: body_type, ending, name_length, origin, piece_real, view, view_type
+    use body_points, only: points_of, weights_of
+    use deck_job, only: body_type, name_length, origin, view, view_type
     use geom_chain, only: chain_has, chain_type, chain_value
     implicit none (type, external)
     private
@@ -77,18 +77,18 @@ contains
     pure type(faired_type) function faired_view(given, chain) result(item)
         type(view_type), intent(in) :: given    !! a faired view
         type(chain_type), intent(in) :: chain   !! what it came to
+        real(dp) :: at(2, size(given%piece))
         integer :: i, last
 
         last = size(given%piece)
+        at = points_of(given%piece)
         allocate (item%point(last))
+        item%point%sta = at(1, :)
+        item%point%measured = at(2, :)
+        item%point%weight = weights_of(given%piece, given%weight)
         do i = 1, last
             associate (point => item%point(i))
-                point%sta = piece_real(given%piece(i), 1)
-                point%measured = piece_real(given%piece(i), 2)
                 point%is_held = i == 1 .or. i == last
-                point%weight = to_real(given%weight)
-                if (given%piece(i)%ending == ending%weight) &
-                    point%weight = piece_real(given%piece(i), 3)
                 point%is_on = chain_has(chain, point%sta)
                 if (point%is_on) point%faired = chain_value(chain, point%sta)
             end associate

@@ -6,9 +6,9 @@ module body_outline
     use base_exact, only: is_equal
     use base_fault, only: fault_list_type
     use base_kinds, only: dp
+    use body_points, only: points_of, weights_of
     use deck_body_card, only: blame
-    use deck_job, only: asked_outline_type => outline_type, body_type, ending, name_length, &
-        piece_real
+    use deck_job, only: asked_outline_type => outline_type, body_type, name_length, piece_real
     use geom_fairing, only: fair, fair_to_area, fairing_type
     use geom_fairing_system, only: fairing_data_type, fairing_end, spline_area
     implicit none (type, external)
@@ -73,22 +73,15 @@ contains
         type(asked_outline_type), intent(in) :: asked       !! as the deck has it
         type(outline_type), intent(out) :: item             !! the outline
         type(error_type), allocatable, intent(out) :: error !! see above
-        integer :: i, points
 
-        points = size(asked%piece)
         item%name = asked%name
         item%sta = to_real(asked%sta)
         item%has_area = asked%has_area
         item%area = to_real(asked%area)
         item%measured%ends = fairing_end%closed
         item%measured%beta = to_real(asked%beta)
-        allocate (item%measured%point(2, points))
-        allocate (item%measured%weight(points), source=to_real(asked%weight))
-        do i = 1, points
-            item%measured%point(:, i) = piece_real(asked%piece(i), [1, 2])
-            if (asked%piece(i)%ending == ending%weight) &
-                item%measured%weight(i) = piece_real(asked%piece(i), 3)
-        end do
+        item%measured%point = points_of(asked%piece)
+        item%measured%weight = weights_of(asked%piece, asked%weight)
         if (item%has_area) then
             call fair_to_area(item%measured, sign(item%area, spline_area(item%measured%point, &
                 .true.)), item%fairing, error)
