@@ -8,7 +8,7 @@ module body_build_panels
     use base_kinds, only: dp
     use base_text, only: compact, to_text
     use body_body, only: body_type
-    use body_line, only: line_type
+    use body_line, only: line_point, line_type
     use body_panel, only: new_panel, panel_type
     use body_panel_side, only: arc_side, line_side, point_side, side_type
     use body_meeting, only: meetings_of, nearest_gap
@@ -16,7 +16,6 @@ module body_build_panels
     use deck_body_card, only: blame
     use deck_job, only: asked_body_type => body_type, bound, job_type, patch_type
     use geom_arc, only: arc_type, reversed
-    use geom_chain, only: chain_value
     implicit none (type, external)
     private
 
@@ -94,7 +93,7 @@ contains
                     call find_arc(asked, body, i, first, side(i), error)
                 case default
                     line = asked%side(1 + mod(i, 4))%line
-                    side(i) = point_side([first, point_of(body%lines(line), first)])
+                    side(i) = point_side([first, line_point(body%lines(line), first)])
                 end select
             end associate
             if (allocated(error)) return
@@ -114,10 +113,8 @@ contains
         real(dp) :: range(2)
         integer :: before, after
 
-        before = 1 + mod(number + 2, 4)
-        after = number
-        if (asked%side(after)%kind == bound%point) after = 1 + mod(after, 4)
-        if (asked%side(before)%kind == bound%point) before = 1 + mod(before + 2, 4)
+        before = past_point(asked, number - 1, -1)
+        after = past_point(asked, number, 1)
         corner = 0.0_dp
         if (asked%side(after)%kind == bound%station) then
             corner = to_real(asked%side(after)%station)
@@ -141,6 +138,15 @@ contains
             end associate
         end if
     end subroutine find_corner
+
+    !> The number of a side, or, where that is a point, of the one behind it on the way round.
+    pure integer function past_point(asked, number, way) result(side)
+        type(patch_type), intent(in) :: asked   !! the patch
+        integer, intent(in) :: number           !! 0 to 5: 0 is side 4, 5 is side 1
+        integer, intent(in) :: way              !! 1: as the sides go round; -1: back
+        side = 1 + modulo(number - 1, 4)
+        if (asked%side(side)%kind == bound%point) side = 1 + modulo(side - 1 + way, 4)
+    end function past_point
 
     !> Fails with `cause%beyond_lines` where a line is not at a station.
     pure subroutine check_station(sta, line, error)
@@ -190,9 +196,7 @@ contains
         type(arc_type) :: arc
         integer :: ends(2), i
 
-        ends = [1 + mod(number + 2, 4), 1 + mod(number, 4)]
-        if (asked%side(ends(1))%kind == bound%point) ends(1) = 1 + mod(ends(1) + 2, 4)
-        if (asked%side(ends(2))%kind == bound%point) ends(2) = 1 + mod(ends(2), 4)
+        ends = [past_point(asked, number - 1, -1), past_point(asked, number + 1, 1)]
         ends = asked%side(ends)%line
         do i = 1, size(body%sections)
             associate (section => body%sections(i))
@@ -210,14 +214,5 @@ contains
             trim(body%lines(ends(1))%name)//' to '//trim(body%lines(ends(2))%name)// &
             ' at station '//compact(sta)//'; its arc would be side '//to_text(number))
     end subroutine find_arc
-
-    !> BL and WL of a line.
-    pure function point_of(line, sta) result(point)
-        type(line_type), intent(in) :: line !! a control line
-        real(dp), intent(in) :: sta         !! deck units
-        real(dp) :: point(2)
-        point = [0.0_dp, chain_value(line%side, sta)]
-        if (line%has_plan) point(1) = chain_value(line%plan, sta)
-    end function point_of
 
 end module body_build_panels

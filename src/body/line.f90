@@ -3,11 +3,11 @@
 module body_line
     use base_kinds, only: dp
     use deck_job, only: name_length
-    use geom_chain, only: chain_from, chain_to, chain_type
+    use geom_chain, only: chain_from, chain_to, chain_type, chain_value
     implicit none (type, external)
     private
 
-    public :: line_type, limit_line
+    public :: line_type, limit_line, line_point
 
     !> A control line. Its plan is BL 0 where the deck gives none.
     type :: line_type
@@ -42,5 +42,14 @@ contains
         line%from = max(line%from, chain_from(view))
         line%to = min(line%to, chain_to(view))
     end subroutine limit
+
+    !> BL and WL of a line, deck units; BL 0 where it has no plan.
+    pure function line_point(line, sta) result(point)
+        type(line_type), intent(in) :: line !! a control line with a side view
+        real(dp), intent(in) :: sta         !! deck units
+        real(dp) :: point(2)
+        point = [0.0_dp, chain_value(line%side, sta)]
+        if (line%has_plan) point(1) = chain_value(line%plan, sta)
+    end function line_point
 
 end module body_line

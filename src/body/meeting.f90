@@ -1,8 +1,8 @@
 !> Where two control lines meet in space: the stations at which both have the same BL and WL.
 module body_meeting
     use base_kinds, only: dp
-    use body_line, only: line_type
-    use geom_chain, only: chain_joints, chain_value
+    use body_line, only: line_point, line_type
+    use geom_chain, only: chain_joints
     use geom_zeros, only: function_type, sample_points, zeros_of
     implicit none (type, external)
     private
@@ -112,21 +112,18 @@ contains
         type(line_type), intent(in) :: first    !! a line
         type(line_type), intent(in) :: second   !! another
         real(dp), intent(in) :: sta             !! deck units
-        distance = hypot(difference(difference_type(first, second, 1), sta), &
-            difference(difference_type(first, second, 2), sta))
+        real(dp) :: way(2)
+        way = line_point(first, sta) - line_point(second, sta)
+        distance = hypot(way(1), way(2))
     end function distance
 
     !> The difference of two lines along an axis at a station, deck units.
     pure real(dp) function difference(f, x)
         class(difference_type), intent(in) :: f !! the lines
         real(dp), intent(in) :: x               !! STA
-        if (f%axis == 2) then
-            difference = chain_value(f%first%side, x) - chain_value(f%second%side, x)
-            return
-        end if
-        difference = 0.0_dp
-        if (f%first%has_plan) difference = chain_value(f%first%plan, x)
-        if (f%second%has_plan) difference = difference - chain_value(f%second%plan, x)
+        real(dp) :: way(2)
+        way = line_point(f%first, x) - line_point(f%second, x)
+        difference = way(f%axis)
     end function difference
 
 end module body_meeting

@@ -6,11 +6,11 @@
 module body_panel_side
     use base_error, only: error_type
     use base_kinds, only: dp
-    use body_line, only: line_type
+    use body_line, only: line_point, line_type
     use geom_arc, only: arc_type, reversed
     use geom_arc_point, only: arc_point => point
     use geom_bspline, only: bspline_type
-    use geom_chain, only: chain_jet, chain_type, chain_value
+    use geom_chain, only: chain_jet, chain_type
     use geom_curve_fit, only: curve_function_type, fit_curve
     use geom_jet, only: jet_type
     use geom_place, only: place_at
@@ -93,8 +93,7 @@ contains
             point = [f%from, arc_point(f%arc, place_at(t))]
         else
             sta = station_at(f, t)
-            point = [sta, 0.0_dp, chain_value(f%line%side, sta)]
-            if (f%line%has_plan) point(2) = chain_value(f%line%plan, sta)
+            point = [sta, line_point(f%line, sta)]
         end if
     end function side_point
 

@@ -5,7 +5,7 @@ module body_section
     use base_error, only: cause, error_type, fail
     use base_kinds, only: dp
     use base_text, only: compact
-    use body_line, only: line_type
+    use body_line, only: line_point, line_type
     use deck_job, only: name_length
     use geom_arc, only: arc_through, arc_type, line_between
     use geom_chain, only: chain_joints, chain_value
@@ -72,9 +72,9 @@ contains
         type(section_type), intent(in) :: section   !! one of its sections
         real(dp), intent(in) :: sta                 !! deck units
 
-        trace%start%point = point_of(lines(section%line(1)), sta)
-        trace%shoulder = point_of(lines(section%line(2)), sta)
-        trace%finish%point = point_of(lines(section%line(3)), sta)
+        trace%start%point = line_point(lines(section%line(1)), sta)
+        trace%shoulder = line_point(lines(section%line(2)), sta)
+        trace%finish%point = line_point(lines(section%line(3)), sta)
         trace%start%tangent = direction(lines, section%slope(1), sta)
         trace%finish%tangent = direction(lines, section%slope(2), sta)
         if (.not. section%is_port) return
@@ -84,15 +84,6 @@ contains
         trace%start%tangent(1) = -trace%start%tangent(1)
         trace%finish%tangent(1) = -trace%finish%tangent(1)
     end function trace_at
-
-    !> BL and WL of a line, deck units; BL 0 where it has no plan.
-    pure function point_of(line, sta) result(point)
-        type(line_type), intent(in) :: line !! a control line
-        real(dp), intent(in) :: sta         !! deck units
-        real(dp) :: point(2)
-        point = [0.0_dp, chain_value(line%side, sta)]
-        if (line%has_plan) point(1) = chain_value(line%plan, sta)
-    end function point_of
 
     !> The direction of an end slope at a station.
     pure function direction(lines, slope, sta)

@@ -2,7 +2,7 @@
 program test_line
     use base_error, only: error_type
     use base_kinds, only: dp
-    use body_line, only: limit_line, line_type
+    use body_line, only: limit_line, line_point, line_type
     use geom_arc, only: line_between
     use geom_chain, only: chain_type, constant_chain, new_chain
     use support_tap, only: tap_type
@@ -18,8 +18,12 @@ program test_line
     call limit_line(line)
     call tap%ok(line%from == -30.0_dp .and. line%to == 50.0_dp, &
         'a centre line is where its side view is')
+    call tap%near(maxval(abs(line_point(line, 10.0_dp) - [0.0_dp, 0.5_dp])), 0.0_dp, 1.0e-15_dp, &
+        'a centre line is at BL 0')
     line%has_plan = .true.
     line%plan = straight(-20.0_dp, 60.0_dp)
+    call tap%near(maxval(abs(line_point(line, 10.0_dp) - [0.375_dp, 0.5_dp])), 0.0_dp, &
+        1.0e-15_dp, 'others have the BL of their plan and the WL of their side view')
     call limit_line(line)
     call tap%ok(line%from == -20.0_dp .and. line%to == 50.0_dp, &
         'a line is where both its views are')
