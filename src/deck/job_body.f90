@@ -10,7 +10,7 @@ module deck_job_body
     use deck_job, only: body_type, name_length, origin, range_type, section_type, side, view
     use deck_job_line, only: close_line
     use deck_job_list, only: append
-    use deck_job_state, only: check_once, find_line, state_type, text_of
+    use deck_job_state, only: check_once, find_line, line_names, state_type, text_of
     implicit none (type, external)
     private
 
@@ -248,15 +248,5 @@ contains
         words = ''
         if (state%bodies > 0) words = ' in this body'
     end function in_this_body
-
-    !> The names of the lines of the open body.
-    pure function line_names(state) result(name)
-        type(state_type), intent(in) :: state !! the job so far
-        character(name_length) :: name(state%lines)
-        integer :: i
-        do i = 1, state%lines
-            name(i) = state%body%line(i)%name
-        end do
-    end function line_names
 
 end module deck_job_body

@@ -5,9 +5,9 @@ module deck_job_patch
     use deck_body_card, only: blame, card_type, field_text
     use deck_body_value, only: decimal_in, is_filled, looks_like_number, real_in
     use deck_body_word, only: suggestion
-    use deck_job, only: bound, bound_type, name_length, origin, patch_type, range_type, twist, view
+    use deck_job, only: bound, bound_type, origin, patch_type, range_type, twist, view
     use deck_job_list, only: append
-    use deck_job_state, only: find_line, state_type, text_of
+    use deck_job_state, only: find_line, line_names, state_type, text_of
     implicit none (type, external)
     private
 
@@ -70,8 +70,6 @@ contains
         integer, intent(in) :: field                    !! where the side stands
         type(bound_type), intent(inout) :: side         !! what it is
         type(fault_list_type), intent(inout) :: faults  !! what is wrong is added
-        character(name_length) :: names(state%lines + 1)
-        integer :: i
 
         if (looks_like_number(field_text(card, field))) then
             side%kind = bound%station
@@ -82,12 +80,9 @@ contains
             side%kind = bound%line
             side%line = find_line(state, field_text(card, field))
             if (side%line == 0) then
-                names(1) = 'POINT'
-                do i = 1, state%lines
-                    names(i + 1) = state%body%line(i)%name
-                end do
                 call blame(card, field, 'there is no LINE '//field_text(card, field)// &
-                    suggestion(field_text(card, field), names), faults)
+                    suggestion(field_text(card, field), [text_of('POINT'), line_names(state)]), &
+                    faults)
             else if (state%body%line(side%line)%view(view%side)%origin == origin%none) then
                 call blame(card, field, 'LINE '//field_text(card, field)//' has no SIDE', faults)
             end if

@@ -9,7 +9,7 @@ module deck_job_state
     implicit none (type, external)
     private
 
-    public :: state_type, standing_type, open_line_type, check_once, find_line, text_of
+    public :: state_type, standing_type, open_line_type, check_once, find_line, line_names, text_of
 
     !> What holds for the cuts and checks that follow, until a card says otherwise.
     type :: standing_type
@@ -72,6 +72,16 @@ contains
             if (state%body%line(find_line)%name == name) return
         end do
     end function find_line
+
+    !> The names of the lines of the open body.
+    pure function line_names(state) result(name)
+        type(state_type), intent(in) :: state !! the job so far
+        character(name_length) :: name(state%lines)
+        integer :: i
+        do i = 1, state%lines
+            name(i) = state%body%line(i)%name
+        end do
+    end function line_names
 
     !> A text as a name.
     pure function text_of(text) result(name)
