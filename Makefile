@@ -13,7 +13,7 @@ MODE := $(if $(DEBUG),debug,release)
 FLAGS.release := -O2 -g -ffp-contract=off
 FLAGS.debug   := -O0 -g -fcheck=all,no-array-temps -ffpe-trap=invalid,zero,overflow -fbacktrace
 FLAGS.lint    := -O0 -Wall -Wextra -pedantic -Wimplicit-interface -Wconversion-extra -Werror
-FFLAGS        := -std=f2018 $(FLAGS.$(MODE))
+FFLAGS        := -std=f2018 -fopenmp $(FLAGS.$(MODE))
 
 ifeq ($(shell uname),Darwin)
 LDFLAGS += -L$(shell brew --prefix lapack 2>/dev/null)/lib
