@@ -113,9 +113,19 @@ pictures: $(LOFT) deps-test         ## draws the pictures of the README (doc/*.s
 	@$(LOFT) export cards/fuselage.crd -o $(BUILD)/fuselage.step > $(BUILD)/fuselage.txt
 	@$(JUDGES)/bin/python tests/judges/render.py $(BUILD)/fuselage.step doc/fuselage-skin.png
 
-bench: $(BENCHES)                   ## times the programs of tests/bench
+# Each program of tests/bench prints a section of doc/performance.md and leaves the data of its
+# pictures in build/bench; plot/bench_NAME.gp draws doc/performance-NAME.svg from them.
+bench: $(LOFT) $(BENCHES)           ## measures the speed: doc/performance.md
 	$(if $(BENCHES),,$(error there is no program in tests/bench))
-	@set -e; for bench in $(BENCHES); do LOFT=$(abspath $(LOFT)) $$bench; done
+	@mkdir -p $(BUILD)/bench
+	@LOFT=$(abspath $(LOFT)) BENCH=$(abspath $(BUILD)/bench) JUDGES=$(abspath $(JUDGES)) \
+	    FC='$(FC)' FFLAGS='$(FFLAGS)' sh tests/bench/report.sh $(BENCHES) \
+	    > $(BUILD)/bench/performance.md
+	@for p in $(patsubst plot/bench_%.gp,%,$(wildcard plot/bench_*.gp)); do \
+	    (cd plot && gnuplot -e "folder = '$(abspath $(BUILD)/bench)'; format = 'svg'; \
+	        output_file = '../doc/performance-$$p.svg'" bench_$$p.gp) || exit 1; done
+	@cp $(BUILD)/bench/performance.md doc/performance.md
+	@echo "written: doc/performance.md"
 
 # --- proof --------------------------------------------------------------------------------------
 
@@ -161,7 +171,7 @@ install: $(LOFT)                    ## installs below PREFIX (DESTDIR is put bef
 	    $(SHARE)/doc/loft/doc
 	install -m 755 $(LOFT) $(DESTDIR)$(PREFIX)/bin
 	install -m 644 doc/loft.1 $(SHARE)/man/man1
-	install -m 644 $(wildcard plot/*.gp) $(SHARE)/loft/plot
+	install -m 644 $(filter-out plot/bench_%,$(wildcard plot/*.gp)) $(SHARE)/loft/plot
 	install -m 644 $(wildcard cards/*) $(SHARE)/loft/cards
 	install -m 644 $(wildcard *.md) LICENSE $(SHARE)/doc/loft
 	install -m 644 $(wildcard doc/*.md doc/*.svg doc/*.png) $(SHARE)/doc/loft/doc
