@@ -1,6 +1,6 @@
 !> `loft check`: reads decks, prints every diagnostic, and nothing else.
 module app_check
-    use app_computed_body, only: computed_body_type, judge_body
+    use api_computed_body, only: computed_body_type, judge_body
     use app_input, only: close_input, deck_input_type, open_input
     use app_options, only: argument_type
     use app_status, only: status

@@ -1,6 +1,6 @@
 !> `loft export`: a deck as a file that a workshop cuts from or a CAD system reads, and its receipt.
 module app_export
-    use app_computed_body, only: computed_body_type
+    use api_computed_body, only: computed_body_type
     use app_export_body, only: draw_curves, read_bodies
     use app_export_conics, only: choose_cards, read_conics
     use app_export_parts, only: parts_type

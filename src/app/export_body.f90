@@ -1,7 +1,7 @@
 !> A body deck made ready for export: its bodies built, the cuts that are wanted made and drawn as
 !> curves.
 module app_export_body
-    use app_computed_body, only: computed_body_type, cut_body
+    use api_computed_body, only: computed_body_type, cut_body
     use app_export_choice, only: choose_cuts
     use app_export_parts, only: begin_parts, parts_type, station_type
     use app_export_request, only: curve_tolerance, request_type

@@ -1,35 +1,24 @@
-!> The files LOFT opens: decks, and results that appear under their name only when they are whole.
+!> The results LOFT writes, which appear under their name only when they are whole.
 !>
 !> A result is written beside its final name and renamed when complete, so that a reader never sees
 !> half of it and a failed run leaves the old one. Devices, FIFOs and links are written through.
 module app_files
     use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_int, c_int64_t, c_intptr_t, &
-        c_null_ptr, c_ptr, c_size_t
+        c_ptr, c_size_t
     use app_signals, only: guard_file, release_file
     use base_error, only: cause, error_type, fail
     use base_output, only: output_type
     use base_posix, only: c_close, c_creat, c_fclose, c_fileno, c_fopen, c_getpid, c_mkdir, &
         c_readlink, c_rename, c_text, c_truncate, c_unlink, last_error, real_path, &
-        standard_error, standard_input, standard_output
+        standard_error, standard_output
     use base_text, only: to_text
-    use deck_source, only: source_type
     implicit none (type, external)
     private
 
-    public :: deck_file_type, result_file_type, hold_standard_files, make_folder, base_name
+    public :: result_file_type, hold_standard_files, make_folder, base_name
 
     !> Permissions asked for a new file or folder; the umask takes its part.
     integer(c_int), parameter :: file_mode = int(o'666', c_int), folder_mode = int(o'777', c_int)
-
-    !> A deck open for reading.
-    type :: deck_file_type
-        private
-        type(c_ptr) :: stream = c_null_ptr
-        logical :: is_standard = .false.
-    contains
-        procedure :: open => open_deck
-        procedure :: close => close_deck
-    end type deck_file_type
 
     !> A result being written.
     type :: result_file_type
@@ -61,36 +50,6 @@ contains
         end do
         ignored = c_fclose(stream)
     end subroutine hold_standard_files
-
-    !> Opens a deck by name; `-` is standard input.
-    !>
-    !> Fails with `cause%file_trouble` and the system's words.
-    subroutine open_deck(file, name, source, error)
-        class(deck_file_type), intent(inout) :: file        !! the file
-        character(*), intent(in) :: name                    !! as the user gave it
-        type(source_type), intent(inout) :: source          !! will give its lines
-        type(error_type), allocatable, intent(out) :: error !! see above
-
-        file%is_standard = name == '-'
-        if (file%is_standard) then
-            call source%attach(standard_input)
-            return
-        end if
-        file%stream = c_fopen(c_text(name), c_text('r'))
-        if (c_associated(file%stream)) then
-            call source%attach(c_fileno(file%stream))
-        else
-            call fail(error, cause%file_trouble, name//': '//last_error())
-        end if
-    end subroutine open_deck
-
-    !> Closes a deck, if it is open. Standard input stays as it is.
-    subroutine close_deck(file)
-        class(deck_file_type), intent(inout) :: file !! the file
-        integer(c_int) :: ignored
-        if (c_associated(file%stream)) ignored = c_fclose(file%stream)
-        file%stream = c_null_ptr
-    end subroutine close_deck
 
     !> Begins a result; without a name, or as `-`, it goes to standard output.
     !>

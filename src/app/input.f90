@@ -1,6 +1,6 @@
 !> A deck named on the command line, opened and read as far as the card that says what kind it is.
 module app_input
-    use app_files, only: deck_file_type
+    use api_deck_file, only: deck_file_type
     use base_error, only: cause, error_type, fail
     use base_fault, only: fault_list_type
     use base_posix, only: real_path

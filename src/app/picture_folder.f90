@@ -2,7 +2,8 @@
 !> draws. It needs nothing outside itself, so that it can be moved or sent and its pictures be drawn
 !> again.
 module app_picture_folder
-    use app_files, only: deck_file_type, make_folder, result_file_type
+    use api_deck_file, only: deck_file_type
+    use app_files, only: make_folder, result_file_type
     use app_gnuplot, only: draw, folder_word, has_gnuplot
     use app_share, only: find_scripts
     use base_error, only: cause, error_type, fail

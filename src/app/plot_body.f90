@@ -1,13 +1,13 @@
 !> The pictures of a body deck: the lines plan, each cut in its true shape, the combs and the area
 !> curve of each body, the view in space.
 module app_plot_body
-    use app_computed_body, only: compute_body, computed_body_type
+    use api_computed_body, only: compute_body, computed_body_type
     use app_files, only: base_name, result_file_type
     use app_input, only: deck_input_type
     use app_picture_folder, only: add_picture, begin_folder, folder_type
     use app_picture_name, only: cut_name
     use app_plan_cuts, only: closely, plan_cuts
-    use app_requests, only: requests_of
+    use api_requests, only: requests_of
     use base_error, only: error_type
     use base_fault, only: fault_list_type
     use base_kinds, only: dp

@@ -1,7 +1,7 @@
 !> A body deck run: read whole, each body built and cut, then printed. All faults of the deck are
 !> collected; what is sound runs.
 module app_run_body
-    use app_computed_body, only: compute_body, computed_body_type, judge_body
+    use api_computed_body, only: compute_body, computed_body_type, judge_body
     use app_files, only: base_name
     use app_input, only: deck_input_type
     use app_options, only: options_type

@@ -1,11 +1,10 @@
-!> Results appear whole or not at all; decks open or say why not.
+!> Results appear whole or not at all.
 program test_files
-    use app_files, only: base_name, deck_file_type, make_folder, result_file_type
+    use app_files, only: base_name, make_folder, result_file_type
     use base_error, only: error_type
     use base_output, only: output_type
     use base_posix, only: c_getpid
     use base_text, only: to_text
-    use deck_source, only: line_type, source_type
     use support_tap, only: tap_type
     implicit none (type, external)
 
@@ -17,7 +16,6 @@ program test_files
     call check_result()
     call check_abandoned()
     call check_refused()
-    call check_deck()
     call tap%same(base_name('cards/nose.crd'), 'nose.crd', 'the name of a path is its last part')
     call tap%same(base_name('nose.crd'), 'nose.crd', 'a path without folder is its own name')
     call execute_command_line('rm -r '//folder)
@@ -90,24 +88,6 @@ contains
             'with its name and the system''s words')
         call tap%ok(is_there('/dev/full'), 'and the device is still there')
     end subroutine check_refused
-
-    !> A deck is opened and read, or the reason is given.
-    subroutine check_deck()
-        type(deck_file_type) :: file, missing
-        type(source_type) :: source, none
-        type(line_type) :: line
-        type(error_type), allocatable :: error
-        logical :: found
-
-        call file%open(folder//'/a', source, error)
-        call source%next_line(line, found, error)
-        call tap%ok(found .and. line%text == 'two', 'a deck is opened and read')
-        call file%close()
-        call missing%open(folder//'/none', none, error)
-        call tap%ok(allocated(error), 'a deck that is not there is an error')
-        if (allocated(error)) call tap%same(error%message, &
-            folder//'/none: No such file or directory', 'with its name and the system''s words')
-    end subroutine check_deck
 
     !> The unfinished file of a result.
     function part_of(name) result(path)

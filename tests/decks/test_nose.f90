@@ -1,6 +1,6 @@
 !> `cards/nose.crd`, the nose of SAE 700202 from Table 1 alone, against every figure of Table 4.
 program test_nose
-    use app_computed_body, only: computed_body_type
+    use api_computed_body, only: computed_body_type
     use base_kinds, only: dp
     use body_body, only: body_type
     use cut_outline, only: cut_type

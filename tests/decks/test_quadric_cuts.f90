@@ -1,7 +1,7 @@
 !> The decks of closed forms, `cards/ellipsoid.crd`, `sphere`, `paraboloid` and `cone`: every point
 !> of every cut against the equation of the surface, and how the points are spread.
 program test_quadric_cuts
-    use app_computed_body, only: computed_body_type
+    use api_computed_body, only: computed_body_type
     use base_kinds, only: dp
     use base_text, only: to_text
     use cut_outline, only: cut_type

@@ -1,7 +1,7 @@
 !> The decks of closed forms, `cards/ellipsoid.crd`, `sphere`, `paraboloid` and `cone`: girths,
 !> areas, moments, volumes, skins, centroids and clearances.
 program test_quadric_measures
-    use app_computed_body, only: computed_body_type
+    use api_computed_body, only: computed_body_type
     use base_kinds, only: dp
     use cut_measure, only: section_measure_type
     use support_computed, only: computed_deck

@@ -1,7 +1,7 @@
 !> The deck `cards/round-nose.crd` against its closed form: a sphere of radius 15 about (25, 0, 10)
 !> forward of station 16, a cone of sine .6 from (0, 0, 10) aft of it.
 program test_round_nose
-    use app_computed_body, only: computed_body_type
+    use api_computed_body, only: computed_body_type
     use base_kinds, only: dp
     use cut_outline, only: cut_point_type
     use support_computed, only: computed_deck

@@ -1,7 +1,7 @@
 !> Tests of cuts as shapes: quadrics, whose cuts are conics, and a fuselage, against the points that
 !> `make_cut` gives.
 program test_drawing_cut
-    use app_computed_body, only: computed_body_type, judge_body
+    use api_computed_body, only: computed_body_type, judge_body
     use base_error, only: cause, error_type
     use base_fault, only: fault_list_type
     use base_kinds, only: dp

@@ -4,7 +4,7 @@ program test_mesh_build
     use base_constants, only: pi
     use base_error, only: cause, error_type
     use base_kinds, only: dp
-    use app_computed_body, only: computed_body_type
+    use api_computed_body, only: computed_body_type
     use body_body, only: body_type
     use cut_clearance_map, only: map_type, new_map
     use cut_clearance_nearest, only: box_type, foot_type, nearest_to

@@ -1,6 +1,6 @@
 !> Tests of networks of bodies.
 program test_network_build
-    use app_computed_body, only: computed_body_type
+    use api_computed_body, only: computed_body_type
     use base_error, only: cause, error_type
     use base_kinds, only: dp
     use body_body, only: body_type, mirrored_body

@@ -3,7 +3,7 @@
 
 # A layer is a folder of src; it may use itself and the layers named here.
 BEGIN {
-    layers = "base geom deck body cut report export period audit sweep app"    # bottom to top
+    layers = "base geom deck body cut report export period audit sweep api app"    # bottom to top
     below["base"]   = ""
     below["geom"]   = "base"
     below["deck"]   = "base"
@@ -14,6 +14,7 @@ BEGIN {
     below["period"] = "base deck report"
     below["audit"]  = "base geom deck report"
     below["sweep"]  = "base geom deck body cut report"
+    below["api"]    = "base geom deck body cut report export period audit sweep"
     below["app"]    = layers
     for (i = 1; i < ARGC; i++) if (ARGV[i] ~ /\.f90$/) path[module_of(ARGV[i])] = ARGV[i]
 }

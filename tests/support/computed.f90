@@ -1,6 +1,6 @@
 !> A body deck, read and computed as `loft run` does it.
 module support_computed
-    use app_computed_body, only: compute_body, computed_body_type
+    use api_computed_body, only: compute_body, computed_body_type
     use base_error, only: error_type
     use base_fault, only: fault_list_type
     use deck_job, only: job_type

@@ -1,7 +1,7 @@
 !> Cuts of the decks of closed forms against the equation of their surface: every point with its
 !> true-shape coordinates, normal, bevel, slope and curvature.
 module support_quadric_cuts
-    use app_computed_body, only: computed_body_type
+    use api_computed_body, only: computed_body_type
     use base_kinds, only: dp
     use base_text, only: to_text
     use cut_outline, only: cut_point_type, cut_type, outline_type

@@ -1,8 +1,8 @@
 !> Everything a body deck asks of one body, computed once: printed as listing or CSV, or drawn.
-module app_computed_body
-    use app_computed_arcs, only: arcs_of_cut
-    use app_requests, only: requests_of
-    use app_ring_faults, only: warn_of_ring
+module api_computed_body
+    use api_computed_arcs, only: arcs_of_cut
+    use api_requests, only: requests_of
+    use api_ring_faults, only: warn_of_ring
     use base_decimal, only: to_real
     use base_error, only: error_type
     use base_fault, only: fault_list_type
@@ -272,4 +272,4 @@ contains
         end select
     end function component_of
 
-end module app_computed_body
+end module api_computed_body

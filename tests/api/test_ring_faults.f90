@@ -1,6 +1,6 @@
 !> Warnings of skins that break and of rings that do not close, on the cards of their sections.
 program test_ring_faults
-    use app_ring_faults, only: warn_of_ring
+    use api_ring_faults, only: warn_of_ring
     use base_fault, only: fault_list_type
     use body_body, only: body_type
     use body_build, only: build_body

@@ -1,5 +1,5 @@
 !> The circular arcs of a cut, as its listing has them.
-module app_computed_arcs
+module api_computed_arcs
     use base_error, only: error_type
     use base_kinds, only: dp
     use body_body, only: body_type
@@ -47,4 +47,4 @@ contains
         tables = tables(:count)
     end subroutine arcs_of_cut
 
-end module app_computed_arcs
+end module api_computed_arcs

@@ -1,6 +1,6 @@
 !> From cut cards to cuts: stations stepped in decimals, limits in order, rules of points.
 program test_requests
-    use app_requests, only: requests_of
+    use api_requests, only: requests_of
     use base_fault, only: fault_list_type
     use base_kinds, only: dp, i64
     use cut_plane, only: cut_kind

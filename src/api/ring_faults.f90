@@ -1,6 +1,6 @@
 !> What is wrong with the way sections of a body go round it, said of the SECTION cards: a skin that
 !> breaks where two of them meet, and ends that meet nothing though the deck says CLOSE.
-module app_ring_faults
+module api_ring_faults
     use base_fault, only: fault_list_type
     use base_text, only: compact
     use body_body, only: body_type
@@ -103,4 +103,4 @@ contains
             'take CLOSE out'
     end function loose_words
 
-end module app_ring_faults
+end module api_ring_faults

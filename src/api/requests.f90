@@ -1,6 +1,6 @@
 !> From the cut cards of a job to the cuts asked of a body: where deck and cut layers meet. A
 !> stepped STATION card asks for one cut a station.
-module app_requests
+module api_requests
     use base_decimal, only: decimal_type, grid_type, new_grid, to_real
     use base_error, only: error_type
     use base_fault, only: fault_list_type
@@ -121,4 +121,4 @@ contains
         stations = [(grid%ordinate(k), k = 0, last), cut_real(card, 2)]
     end subroutine stations_of
 
-end module app_requests
+end module api_requests

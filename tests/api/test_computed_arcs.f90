@@ -1,8 +1,8 @@
 !> The arcs of the cuts of a deck. Oracles: the counts the method gives for the two examples of the
 !> paper; a frame that is a straight line; radii of curvature of a sphere.
 program test_computed_arcs
-    use app_computed_arcs, only: arcs_of_cut
-    use app_computed_body, only: computed_body_type
+    use api_computed_arcs, only: arcs_of_cut
+    use api_computed_body, only: computed_body_type
     use base_error, only: error_type
     use base_kinds, only: dp
     use cut_outline, only: cut_type
