@@ -35,13 +35,10 @@ contains
         type(conic_deck_type) :: deck
         type(conic_card_type) :: card
         type(fault_list_type) :: faults
-        character(:), allocatable :: title, units
         integer :: outcome
-        logical :: is_faulty
 
         deck%heading = input%opening%heading
         call begin_parts(deck_name, '', 'INCHES', parts)
-        is_faulty = .false.
         do
             call deck%next(input%source, card, outcome, faults, error)
             if (allocated(error)) then
@@ -50,17 +47,12 @@ contains
             end if
             if (outcome == found%conic) call take_card(card, parts, faults)
             call print_faults(faults, input%name, .false., messages)
-            is_faulty = is_faulty .or. faults%has_errors(0)
+            parts%is_faulty = parts%is_faulty .or. faults%has_errors(0)
             call faults%clear()
             if (outcome == found%finished) exit
         end do
-        title = ''
-        units = 'INCHES'
-        if (allocated(deck%heading%title)) title = deck%heading%title
-        if (allocated(deck%heading%units)) units = deck%heading%units
-        parts%drawing%title = title
-        parts%drawing%units = units
-        parts%is_faulty = is_faulty
+        if (allocated(deck%heading%title)) parts%drawing%title = deck%heading%title
+        if (allocated(deck%heading%units)) parts%drawing%units = deck%heading%units
         call make_unique(parts%drawing)
     end subroutine read_conics
 

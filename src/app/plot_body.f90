@@ -20,7 +20,7 @@ module app_plot_body
     use cut_outline, only: cut_type
     use cut_plane, only: cut_kind, plane_type
     use cut_request, only: request_type
-    use deck_job, only: asked_body_type => body_type, job_type
+    use deck_job, only: job_type
     use deck_job_reader, only: read_job
     use export_body_area, only: area_drawing
     use export_body_combs, only: combs_drawing

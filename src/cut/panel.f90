@@ -15,7 +15,7 @@ module cut_panel
     use cut_panel_spread, only: places_on, tracks_within
     use cut_panel_track, only: panel_noise, panel_track_type, panel_tracks
     use cut_panel_walk, only: last_place, point_at, turned_track, walk_type
-    use cut_plane, only: height_over, plane_type, true_shape
+    use cut_plane, only: height_over, true_shape
     use cut_request, only: request_type
     use geom_vector, only: cross
     implicit none (type, external)

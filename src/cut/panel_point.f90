@@ -9,7 +9,7 @@ module cut_panel_point
     use body_panel, only: panel_type
     use cut_outline, only: cut_point_type
     use cut_panel_walk, only: walk_type, uv_at
-    use cut_plane, only: cut_kind, in_view, plane_type, true_shape
+    use cut_plane, only: cut_kind, in_view, true_shape
     use cut_point, only: across, give_bevel, left_of
     use geom_arc_point, only: slope_along
     use geom_coons, only: patch_jet_type

@@ -13,7 +13,7 @@ module export_iges_conic
     use export_iges_curve, only: name_with
     use export_iges_file, only: entry_type, iges_file_type, iges_status
     use export_iges_record, only: record_type
-    use geom_bspline, only: bspline_type, spline_from, spline_point, spline_to
+    use geom_bspline, only: spline_from, spline_point, spline_to
     use geom_conic, only: conic_kind
     use geom_conic_axes, only: axes_of, axes_type, coefficients_of, distance_from_axes, reach_of, &
         to_axes

@@ -7,7 +7,6 @@ module export_iges_head
     use base_constants, only: version
     use base_digits, only: shortest
     use base_kinds, only: dp
-    use base_output, only: output_type
     use export_drawing, only: drawing_type
     use export_iges_card, only: section_type
     use export_iges_record, only: plain, record_type

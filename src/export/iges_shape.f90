@@ -3,12 +3,12 @@
 module export_iges_shape
     use base_kinds, only: dp
     use export_drawing, only: contour_type, curve_type, shape_kind, shape_type
+    use export_entity, only: curve_entity
     use export_iges_conic, only: add_conic, conic_error, suits_conic
     use export_iges_curve, only: add_line, add_point, add_spline, no_normal
     use export_iges_file, only: entry_type, iges_file_type, iges_status
     use export_iges_record, only: record_type
     use export_receipt, only: entity_type, receipt_type
-    use geom_bspline, only: spline_breaks
     use geom_vector, only: cross
     implicit none (type, external)
     private
@@ -62,14 +62,13 @@ contains
 
             if (has_conics .and. is_straight(curve)) then
                 call add_line(file, entry, curve%spline%pole, name, pointer)
-                call receipt%add(entity_of(curve, shape%name, '110 LINE'))
+                call receipt%add(curve_entity(curve, shape%name, '110 LINE'))
             else if (has_conics .and. suits_conic(curve, shape%plane)) then
                 call add_conic(file, entry, curve, shape%plane, name, pointer)
-                call receipt%add(entity_of(curve, shape%name, '104 CONIC ARC', &
-                    conic_error(curve, shape%plane)))
+                call receipt%add(conic_entity(curve, shape))
             else
                 call add_spline(file, entry, curve%spline, normal_of(shape), name, pointer)
-                call receipt%add(entity_of(curve, shape%name, '126 B-SPLINE CURVE'))
+                call receipt%add(curve_entity(curve, shape%name, '126 B-SPLINE CURVE'))
             end if
         end subroutine add_curve
     end subroutine add_shape
@@ -93,27 +92,16 @@ contains
         normal = normal/norm2(normal) + 0.0_dp
     end function normal_of
 
-    !> What a receipt says of a curve.
-    pure type(entity_type) function entity_of(curve, name, kind, error) result(entity)
-        type(curve_type), intent(in) :: curve           !! of the shape
-        character(*), intent(in) :: name                !! of the shape
-        character(*), intent(in) :: kind                !! what it is in the file
-        real(dp), intent(in), optional :: error         !! of that, measured
+    !> What a receipt says of a curve that is written as a conic.
+    pure type(entity_type) function conic_entity(curve, shape) result(entity)
+        type(curve_type), intent(in) :: curve   !! of the shape
+        type(shape_type), intent(in) :: shape   !! any
 
-        entity%name = name
-        entity%kind = kind
-        entity%is_exact = curve%is_exact
-        entity%points = size(curve%spline%weight)
-        entity%spans = size(spline_breaks(curve%spline)) - 1
-        entity%error = curve%error
-        if (present(error)) then
-            entity%error = error
-            entity%points = 0
-            entity%spans = 0
-        end if
-        entity%has_place = .not. curve%is_exact
-        entity%worst = curve%worst
-    end function entity_of
+        entity = curve_entity(curve, shape%name, '104 CONIC ARC')
+        entity%points = 0
+        entity%spans = 0
+        entity%error = conic_error(curve, shape%plane)
+    end function conic_entity
 
     !> Adds a name that entities can refer to: property 406, form 15.
     subroutine add_name(file, name, pointer)

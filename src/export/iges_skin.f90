@@ -2,12 +2,13 @@
 !> level; faces that meet share their edge poles, so that a reader sews them without a gap. Flat
 !> faces are trimmed planes (144).
 module export_iges_skin
+    use export_entity, only: face_entity
     use export_iges_cap, only: add_cap
     use export_iges_file, only: entry_type, iges_file_type
     use export_iges_shape, only: add_name
     use export_iges_surface, only: add_surface, turned_outward
-    use export_receipt, only: entity_type, receipt_type
-    use export_shell, only: face_type, skin_model_type
+    use export_receipt, only: receipt_type
+    use export_shell, only: skin_model_type
     implicit none (type, external)
     private
 
@@ -32,7 +33,8 @@ contains
 
         do i = 1, size(model%faces)
             call add_face(file, model, i, level)
-            call receipt%add(entity_of(model%faces(i)))
+            call receipt%add(face_entity(model%faces(i), trim(merge( &
+                '144 TRIMMED PLANE   ', '128 B-SPLINE SURFACE', model%faces(i)%is_flat))))
         end do
     end subroutine add_skin
 
@@ -58,22 +60,5 @@ contains
             end if
         end associate
     end subroutine add_face
-
-    !> What a receipt says of a face.
-    pure type(entity_type) function entity_of(face) result(entity)
-        type(face_type), intent(in) :: face !! of the skin
-
-        entity%name = face%name
-        entity%kind = '144 TRIMMED PLANE'
-        if (.not. face%is_flat) then
-            entity%kind = '128 B-SPLINE SURFACE'
-            entity%points = size(face%surface%weight)
-            entity%spans = face%spans
-        end if
-        entity%is_exact = face%is_exact
-        entity%error = face%error
-        entity%has_place = .not. face%is_exact
-        entity%worst = face%worst
-    end function entity_of
 
 end module export_iges_skin

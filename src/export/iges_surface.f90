@@ -1,7 +1,6 @@
 !> Surfaces of an IGES file: 128 rational B-spline surface (IGES 5.3, 4.24).
 module export_iges_surface
     use base_exact, only: is_equal
-    use base_kinds, only: dp
     use export_iges_curve, only: name_with
     use export_iges_file, only: entry_type, iges_file_type
     use export_iges_record, only: record_type

@@ -15,12 +15,11 @@ module export_mesh_density
     use base_error, only: error_type
     use base_kinds, only: dp
     use body_body, only: body_type
-    use body_section, only: is_point, section_type, trace_at
+    use body_section, only: is_point, trace_at
     use body_taylor, only: taylor_type
     use cut_measure_body, only: stops_of
     use cut_measure_ring, only: sections_at
-    use cut_measure_sheet, only: frame_at, frame_type, new_span, span_type, spot_at, spot_type, &
-        station_of
+    use cut_measure_sheet, only: frame_at, frame_type, new_span, span_type, spot_at, station_of
     use export_mesh_form, only: form_at, form_type, turn_along
     use export_mesh_share, only: pace_at, parameter_at
     implicit none (type, external)

@@ -76,7 +76,8 @@ contains
         real(dp) :: rise
 
         do i = 1, size(rows)
-            ends(:, i) = [first_of(rows(i), ring(1)), last_of(rows(i), ring(size(ring)))]
+            ends(:, i) = [end_of(rows(i), ring(1), .false.), &
+                end_of(rows(i), ring(size(ring)), .true.)]
         end do
         middle = (size(rows) + 1)/2
         if (ends(1, middle) == ends(2, middle)) return
@@ -139,24 +140,14 @@ contains
         end do
     end subroutine zip_wall
 
-    !> The vertex at which a ring begins.
-    pure integer function first_of(row, link) result(vertex)
+    !> The vertex at which a ring begins, of the first of its links, or ends, of the last.
+    pure integer function end_of(row, link, is_last) result(vertex)
         type(row_type), intent(in) :: row   !! a row of the run
-        type(link_type), intent(in) :: link !! the first of the ring
+        type(link_type), intent(in) :: link !! the first of the ring, or the last
+        logical, intent(in) :: is_last      !! where it ends
         associate (list => row%strands(link%section)%vertex)
-            vertex = list(1)
-            if (link%is_turned) vertex = list(size(list))
+            vertex = list(merge(size(list), 1, is_last .neqv. link%is_turned))
         end associate
-    end function first_of
-
-    !> The vertex at which a ring ends.
-    pure integer function last_of(row, link) result(vertex)
-        type(row_type), intent(in) :: row   !! a row of the run
-        type(link_type), intent(in) :: link !! the last of the ring
-        associate (list => row%strands(link%section)%vertex)
-            vertex = list(size(list))
-            if (link%is_turned) vertex = list(1)
-        end associate
-    end function last_of
+    end function end_of
 
 end module export_mesh_wall

@@ -8,7 +8,7 @@ module export_shell_ribs
     use base_tolerances, only: meeting_tolerance
     use export_shell_limits, only: end_rows
     use export_shell_rows, only: form, rows_type
-    use export_shell_stretch, only: slot_type, stretch_type, track_at
+    use export_shell_stretch, only: stretch_type, track_at
     use geom_vector, only: cross
     implicit none (type, external)
     private

@@ -5,9 +5,9 @@
 !> its vertex. Parameter curves are not written: each edge is a line of its surfaces of constant
 !> parameter, which readers find without error.
 module export_step_shell
-    use base_kinds, only: dp
-    use export_receipt, only: entity_type, receipt_type
-    use export_shell, only: edge_type, face_type, side_type, skin_model_type, vertex_type
+    use export_entity, only: face_entity
+    use export_receipt, only: receipt_type
+    use export_shell, only: face_type, side_type, skin_model_type
     use export_step_curve, only: add_edge_curve, add_point
     use export_step_surface, only: add_surface, surface_word
     use export_step_text, only: step_file_type, step_logical, step_reference, step_references, &
@@ -44,7 +44,9 @@ contains
             associate (closes => model%shells(i)%is_closed)
                 call add_shell(file, model, i, edges, shell)
                 do item = 1, size(model%shells(i)%faces)
-                    call receipt%add(face_entity(model%faces(model%shells(i)%faces(item))))
+                    associate (face => model%faces(model%shells(i)%faces(item)))
+                        call receipt%add(face_entity(face, surface_word(face)))
+                    end associate
                 end do
                 if (closes .and. .not. wants_sheets) then
                     call file%add('MANIFOLD_SOLID_BREP('//name//','//step_reference(shell)//')', &
@@ -134,21 +136,5 @@ contains
         end do
         call file%add('EDGE_LOOP('''','//step_references(oriented)//')', number)
     end subroutine add_loop
-
-    !> What a receipt says of a face.
-    pure type(entity_type) function face_entity(face) result(entity)
-        type(face_type), intent(in) :: face !! of the skin
-
-        entity%name = face%name
-        entity%kind = surface_word(face)
-        entity%is_exact = face%is_exact
-        if (.not. face%is_flat) then
-            entity%points = size(face%surface%weight)
-            entity%spans = face%spans
-        end if
-        entity%error = face%error
-        entity%has_place = .not. face%is_exact
-        entity%worst = face%worst
-    end function face_entity
 
 end module export_step_shell

@@ -2,12 +2,12 @@
 !> in which curves end to end are one composite curve. Where a plane only touches the skin the set
 !> has a point.
 module export_step_wire
-    use export_drawing, only: contour_type, curve_type, shape_type
-    use export_receipt, only: entity_type, receipt_type
+    use export_drawing, only: contour_type, shape_type
+    use export_entity, only: curve_entity
+    use export_receipt, only: receipt_type
     use export_step_curve, only: add_curve, add_point, curve_word
     use export_step_text, only: step_file_type, step_logical, step_reference, step_references, &
         step_string
-    use geom_bspline, only: spline_breaks
     implicit none (type, external)
     private
 
@@ -28,7 +28,8 @@ contains
         do i = 1, size(elements)
             call add_contour(file, shape%contours(i), shape%name, elements(i))
             do k = 1, size(shape%contours(i)%curves)
-                call receipt%add(curve_entity(shape%contours(i)%curves(k), shape%name))
+                call receipt%add(curve_entity(shape%contours(i)%curves(k), shape%name, &
+                    curve_word(shape%contours(i)%curves(k)%spline)))
             end do
         end do
         call file%add('GEOMETRIC_CURVE_SET('//step_string(shape%name)//','// &
@@ -56,20 +57,5 @@ contains
         call file%add('COMPOSITE_CURVE('//step_string(name)//','//step_references(segments)// &
             ','//step_logical(.false.)//')', number)
     end subroutine add_contour
-
-    !> What a receipt says of a curve.
-    pure type(entity_type) function curve_entity(curve, name) result(entity)
-        type(curve_type), intent(in) :: curve   !! of the shape
-        character(*), intent(in) :: name        !! of the shape
-
-        entity%name = name
-        entity%kind = curve_word(curve%spline)
-        entity%is_exact = curve%is_exact
-        entity%points = size(curve%spline%weight)
-        entity%spans = size(spline_breaks(curve%spline)) - 1
-        entity%error = curve%error
-        entity%has_place = .not. curve%is_exact
-        entity%worst = curve%worst
-    end function curve_entity
 
 end module export_step_wire

@@ -13,26 +13,7 @@ import numpy
 from scipy.interpolate import BSpline
 from scipy.optimize import brentq
 
-
-class Tap:
-    """A tally of checks."""
-
-    def __init__(self):
-        self.run = 0
-        self.failed = 0
-
-    def ok(self, passed, name, note=''):
-        """Counts a check."""
-        self.run += 1
-        self.failed += not passed
-        print(f"{'ok' if passed else 'not ok'} {self.run} - {name}")
-        if note and not passed:
-            print(f'# {note}')
-
-    def finish(self):
-        """Prints the plan and ends."""
-        print(f'1..{self.run}')
-        sys.exit(self.failed > 0)
+from outlines import Tally
 
 
 def basis():
@@ -143,7 +124,7 @@ def figures_of(listing, name):
     return said, numpy.array(rows, float)
 
 
-def judge_outline(tap, listing, word, points):
+def judge_outline(tally, listing, word, points):
     """An outline, with its area where one was asked."""
     curve = Faired([p[:2] for p in points], weights_of(points, number(word[3], 10.0)),
                    number(word[4], 0.5), True)
@@ -160,33 +141,33 @@ def judge_outline(tap, listing, word, points):
               'LARGEST MISFIT': numpy.linalg.norm(near - curve.q, axis=1).max(),
               'MULTIPLIER OF THE AREA': multiplier}
     for name, value in wanted.items():
-        tap.ok(abs(said[name] - value) <= 2e-8*abs(value), f'{word[1]}: {name.lower()}',
-               f'{said[name]} and {value}')
-    tap.ok(numpy.abs(rows[:len(points), 2:4] - near).max() <= 0.6e-6, f'{word[1]}: its points')
+        tally.ok(abs(said[name] - value) <= 2e-8*abs(value), f'{word[1]}: {name.lower()}',
+                 f'{said[name]} and {value}')
+    tally.ok(numpy.abs(rows[:len(points), 2:4] - near).max() <= 0.6e-6, f'{word[1]}: its points')
 
 
-def judge_line(tap, listing, word, points):
+def judge_line(tally, listing, word, points):
     """A faired line: its table."""
     curve = Faired([p[:2] for p in points], weights_of(points, number(word[4], 10.0)), 0.5, False)
     vertices = curve.solve(0.0)
     rows = re.findall(f'^{word[1]} +{word[2]} +[A-Z0-9.]+' + r' +(-?\d+\.\d+)'*4 + '$', listing,
                       re.M)
     rows = numpy.array(rows, float)
-    tap.ok(len(rows) == len(points), f'{word[1]} {word[2]}: a row for each point')
+    tally.ok(len(rows) == len(points), f'{word[1]} {word[2]}: a row for each point')
     worst = max(abs(row[2] - curve.ordinate(vertices, row[0])) for row in rows[1:-1])
-    tap.ok(worst <= 0.51e-3, f'{word[1]} {word[2]}: the faired ordinates', f'{worst}')
+    tally.ok(worst <= 0.51e-3, f'{word[1]} {word[2]}: the faired ordinates', f'{worst}')
 
 
 def main():
     """Judges a deck."""
-    tap = Tap()
+    tally = Tally()
     listing = open(sys.argv[2], encoding='utf-8').read()
     for word, points in read(sys.argv[1]):
         if word[0] == 'FAIRED':
-            judge_outline(tap, listing, word, points)
+            judge_outline(tally, listing, word, points)
         else:
-            judge_line(tap, listing, word, points)
-    tap.finish()
+            judge_line(tally, listing, word, points)
+    tally.finish()
 
 
 if __name__ == '__main__':

@@ -23,7 +23,7 @@ from OCP.TopoDS import TopoDS
 from scipy.interpolate import BSpline
 
 from outlines import Tally, read_cuts
-from step import area, compound, distance, free_edges, parts, volume
+from step import area, compound, distance, free_edges, listed, parts, volume
 
 CURVES = (104, 110, 126)
 ROOTS = (*CURVES, 116, 128, 144)
@@ -117,18 +117,6 @@ def judge_cards(tally, deck, wanted):
     flags = {25.4: ('1', 'IN'), 304.8: ('4', 'FT'), 1.0: ('2', 'MM'), 1000.0: ('6', 'M')}
     tally.ok(tuple(deck.facts[13:15]) == flags[wanted.unit], f'the unit is {deck.facts[14]}')
     tally.ok(deck.facts[17] == deck.facts[24] == '19700101.000000', 'there is no date in it')
-
-
-def complaints(reader):
-    """What the reader finds wrong."""
-    found, checks = [], reader.WS().ModelCheckList()
-    checks.Start()
-    while checks.More():
-        check = checks.Value()
-        found += [check.CFail(i + 1) for i in range(check.NbFails())]
-        found += [check.CWarning(i + 1) for i in range(check.NbWarnings())]
-        checks.Next()
-    return found
 
 
 def transfer(reader, deck):
@@ -258,7 +246,7 @@ def main():
     judge_cards(tally, deck, wanted)
     reader = IGESControl_Reader()
     tally.ok(reader.ReadFile(wanted.file) == IFSelect_RetDone, f'{wanted.file} can be read')
-    found = complaints(reader)
+    found = listed(reader.WS().ModelCheckList())
     tally.ok(not found, f'without complaint {found[:3]}')
     kinds = Counter(entity['type'] for entity in deck.entities)
     tally.ok(reader.IGESModel().NbEntities() == len(deck.entities), 'all entities are known')

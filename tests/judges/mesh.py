@@ -8,31 +8,11 @@ one must not be watertight. No triangle may be degenerate. A symmetric one must 
 image in the plane of x and z, to the last bit.
 """
 import argparse
-import sys
 
 import numpy
 import trimesh
 
-
-class Tap:
-    """A tally of checks."""
-
-    def __init__(self):
-        self.run = 0
-        self.failed = 0
-
-    def ok(self, passed, name, note=''):
-        """Counts a check."""
-        self.run += 1
-        self.failed += not passed
-        print(f"{'ok' if passed else 'not ok'} {self.run} - {name}")
-        if note and not passed:
-            print(f'# {note}')
-
-    def finish(self):
-        """Prints the plan and ends."""
-        print(f'1..{self.run}')
-        sys.exit(self.failed > 0)
+from outlines import Tally
 
 
 def load(path):
@@ -56,26 +36,26 @@ def is_mirrored(mesh):
     return numpy.array_equal(rows(faces + 0.0), rows(image))
 
 
-def judge(tap, mesh, wanted):
+def judge(tally, mesh, wanted):
     """All checks of a mesh."""
-    tap.ok(len(mesh.faces) > 0, f'{len(mesh.faces)} triangles')
+    tally.ok(len(mesh.faces) > 0, f'{len(mesh.faces)} triangles')
     count = numpy.unique(mesh.edges_sorted, axis=0, return_counts=True)[1]
-    tap.ok(count.max() <= 2, 'no edge belongs to more than two triangles')
-    tap.ok(mesh.is_winding_consistent, 'triangles are turned one way')
+    tally.ok(count.max() <= 2, 'no edge belongs to more than two triangles')
+    tally.ok(mesh.is_winding_consistent, 'triangles are turned one way')
     if wanted.open:
-        tap.ok(not mesh.is_watertight, 'the mesh is open')
+        tally.ok(not mesh.is_watertight, 'the mesh is open')
     else:
-        tap.ok(mesh.is_watertight, 'the mesh is watertight')
-        tap.ok(mesh.volume > 0, 'it is outside out', f'volume {mesh.volume}')
-        tap.ok(mesh.euler_number == 2 * wanted.bodies, 'it has no handle and no loose face',
-               f'Euler number {mesh.euler_number}')
+        tally.ok(mesh.is_watertight, 'the mesh is watertight')
+        tally.ok(mesh.volume > 0, 'it is outside out', f'volume {mesh.volume}')
+        tally.ok(mesh.euler_number == 2 * wanted.bodies, 'it has no handle and no loose face',
+                 f'Euler number {mesh.euler_number}')
     if wanted.volume:
         off = mesh.volume / wanted.volume - 1
-        tap.ok(abs(off) <= wanted.relative, f'volume within {wanted.relative:g}',
-               f'{mesh.volume} is off by {off:.3g}')
-    tap.ok(mesh.area_faces.min() > 0, 'no triangle has no area')
+        tally.ok(abs(off) <= wanted.relative, f'volume within {wanted.relative:g}',
+                 f'{mesh.volume} is off by {off:.3g}')
+    tally.ok(mesh.area_faces.min() > 0, 'no triangle has no area')
     if wanted.symmetric:
-        tap.ok(is_mirrored(mesh), 'it is its own mirror image to the last bit')
+        tally.ok(is_mirrored(mesh), 'it is its own mirror image to the last bit')
 
 
 def main():
@@ -88,9 +68,9 @@ def main():
     parser.add_argument('--bodies', type=int, default=1)
     parser.add_argument('--symmetric', action='store_true')
     wanted = parser.parse_args()
-    tap = Tap()
-    judge(tap, load(wanted.file), wanted)
-    tap.finish()
+    tally = Tally()
+    judge(tally, load(wanted.file), wanted)
+    tally.finish()
 
 
 main()

@@ -13,11 +13,13 @@ class Tally:
     def __init__(self):
         self.run = self.failed = 0
 
-    def ok(self, passed, name):
+    def ok(self, passed, name, note=''):
         """Counts a check."""
         self.run += 1
         self.failed += not passed
         print(f'{"ok" if passed else "not ok"} {self.run} - {name}')
+        if note and not passed:
+            print(f'# {note}')
 
     def finish(self):
         """Prints the plan and ends."""

@@ -105,15 +105,19 @@ def curve_sets(shape):
 
 def complaints(reader):
     """What the reader finds wrong with the file, or could not make a shape of."""
-    found = []
     process = reader.WS().TransferReader().TransientProcess()
-    for checks in (reader.WS().ModelCheckList(), process.CheckList(False)):
-        checks.Start()
-        while checks.More():
-            check = checks.Value()
-            found += [check.CFail(i + 1) for i in range(check.NbFails())]
-            found += [check.CWarning(i + 1) for i in range(check.NbWarnings())]
-            checks.Next()
+    return listed(reader.WS().ModelCheckList()) + listed(process.CheckList(False))
+
+
+def listed(checks):
+    """Fails and warnings of a list of checks."""
+    found = []
+    checks.Start()
+    while checks.More():
+        check = checks.Value()
+        found += [check.CFail(i + 1) for i in range(check.NbFails())]
+        found += [check.CWarning(i + 1) for i in range(check.NbWarnings())]
+        checks.Next()
     return found
 
 
