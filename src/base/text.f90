@@ -6,7 +6,7 @@ module base_text
     private
 
     public :: upper, to_text, compact, counted, columns, row_of, right, characters, first_bytes
-    public :: printable
+    public :: limited, printable
 
     interface to_text
         module procedure integer_text, long_text
@@ -48,6 +48,19 @@ contains
             if (iachar(text(i:i)) < 32 .or. iachar(text(i:i)) == 127) shown(i:i) = '?'
         end do
     end function printable
+
+    !> The same text with another letter for every byte that is not among those it may have.
+    pure function limited(text, letters, other) result(kept)
+        character(*), intent(in) :: text    !! any text
+        character(*), intent(in) :: letters !! bytes it may have
+        character, intent(in) :: other      !! in place of any other
+        character(len(text)) :: kept
+        integer :: i
+        kept = text
+        do i = 1, len(text)
+            if (verify(text(i:i), letters) > 0) kept(i:i) = other
+        end do
+    end function limited
 
     !> A character many times over; none where the count is not positive.
     pure function row_of(letter, count) result(text)

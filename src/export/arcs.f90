@@ -14,6 +14,7 @@ module export_arcs
     use cut_plane, only: in_space, plane_type, true_shape
     use export_chords, only: decimals_for, rounding_error, widest_gap
     use export_drawing, only: contour_type, curve_type
+    use export_drawing_join, only: in_plane
     use geom_arc_chain, only: arcs_along, chain_arc_type, reversed_chain
     use geom_bspline, only: bspline_type, reversed_spline
     use geom_circular, only: circular_between, circular_type, direction_to, distance_from, &
@@ -144,16 +145,10 @@ contains
         type(bspline_type), intent(in) :: spline    !! of three dimensions, in the plane
         logical, intent(in) :: is_backward          !! it shall run the other way
         type(bspline_type), intent(out) :: flat     !! of two dimensions
-        real(dp), allocatable :: pole(:, :)
-        integer :: i
 
         flat = spline
         if (is_backward) flat = reversed_spline(spline)
-        allocate (pole(2, size(flat%pole, 2)))
-        do i = 1, size(pole, 2)
-            pole(:, i) = true_shape(plane, flat%pole(:, i))
-        end do
-        call move_alloc(pole, flat%pole)
+        flat%pole = in_plane(plane, flat%pole)
     end subroutine flatten
 
     !> The straight line from the start of a spline to its end. The spline is in the hull of its

@@ -8,6 +8,7 @@ module export_chords
     use base_error, only: cause, error_type, fail
     use base_kinds, only: dp
     use export_drawing, only: contour_type
+    use export_drawing_join, only: gap_between
     use geom_bspline, only: bspline_type, spline_point
     use geom_spline_polygon, only: polygon_of
     implicit none (type, external)
@@ -87,18 +88,14 @@ contains
     !> How far apart ends of neighbouring curves are that should meet.
     pure real(dp) function widest_gap(contour) result(gap)
         type(contour_type), intent(in) :: contour   !! any
-        integer :: i, before, last
+        integer :: i, before
 
         gap = 0.0_dp
         do i = 1, size(contour%curves)
             before = i - 1
             if (before == 0) before = size(contour%curves)
             if (i == 1 .and. .not. contour%is_closed) cycle
-            associate (ended => contour%curves(before)%spline%pole, &
-                begun => contour%curves(i)%spline%pole)
-                last = size(ended, 2)
-                gap = max(gap, norm2(begun(:, 1) - ended(:, last)))
-            end associate
+            gap = max(gap, gap_between(contour%curves(before), contour%curves(i)))
         end do
     end function widest_gap
 

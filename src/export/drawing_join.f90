@@ -7,7 +7,7 @@ module export_drawing_join
     implicit none (type, external)
     private
 
-    public :: join, gap_between, first_point, last_point, put_in_space, seat_ends
+    public :: join, gap_between, first_point, last_point, put_in_space, in_plane, seat_ends
 
 contains
 
@@ -65,6 +65,18 @@ contains
         call move_alloc(pole, curve%spline%pole)
         curve%worst = in_space(plane, curve%worst(:2))
     end subroutine put_in_space
+
+    !> Points of space in u and v of a plane.
+    pure function in_plane(plane, at) result(uv)
+        type(plane_type), intent(in) :: plane   !! of u and v
+        real(dp), intent(in) :: at(:, :)        !! STA, BL, WL by columns
+        real(dp), allocatable :: uv(:, :)
+        integer :: i
+        allocate (uv(2, size(at, 2)))
+        do i = 1, size(at, 2)
+            uv(:, i) = true_shape(plane, at(:, i))
+        end do
+    end function in_plane
 
     !> Puts ends of an open contour that are at BL 0, but for rounding, there.
     pure subroutine seat_ends(plane, contour, meets)

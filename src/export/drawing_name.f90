@@ -3,9 +3,9 @@
 module export_drawing_name
     use base_digits, only: shortest
     use base_kinds, only: dp
-    use base_text, only: to_text, upper
+    use base_text, only: limited, to_text, upper
     use cut_outline, only: cut_type
-    use cut_plane, only: cut_kind
+    use cut_plane, only: cut_kind, plane_type
     use export_drawing, only: drawing_type, shape_type
     implicit none (type, external)
     private
@@ -18,19 +18,9 @@ contains
     pure function cut_name(cut) result(name)
         type(cut_type), intent(in) :: cut   !! any
         character(:), allocatable :: name
+        character(*), parameter :: names(5) = [character(5) :: 'STA', 'BL', 'WL', 'OBL', 'PLANE']
 
-        select case (cut%plane%kind)
-        case (cut_kind%station)
-            name = 'STA_'//shortest(cut%plane%through(1))
-        case (cut_kind%buttock)
-            name = 'BL_'//shortest(cut%plane%through(2))
-        case (cut_kind%waterline)
-            name = 'WL_'//shortest(cut%plane%through(3))
-        case (cut_kind%oblique)
-            name = 'OBL'
-        case default
-            name = 'PLANE'
-        end select
+        name = kind_words(cut%plane, names, '_')
         if (len_trim(cut%name) > 0) name = name//'_'//trim(adjustl(cut%name))
         name = safe_name(name)
     end function cut_name
@@ -40,19 +30,10 @@ contains
     pure function cut_title(cut) result(title)
         type(cut_type), intent(in) :: cut !! any
         character(:), allocatable :: title
+        character(*), parameter :: titles(5) = [character(9) :: 'STATION', 'BUTT LINE', &
+            'WATERLINE', 'OBLIQUE', 'PLANE']
 
-        select case (cut%plane%kind)
-        case (cut_kind%station)
-            title = 'STATION '//shortest(cut%plane%through(1))
-        case (cut_kind%buttock)
-            title = 'BUTT LINE '//shortest(cut%plane%through(2))
-        case (cut_kind%waterline)
-            title = 'WATERLINE '//shortest(cut%plane%through(3))
-        case (cut_kind%oblique)
-            title = 'OBLIQUE'
-        case default
-            title = 'PLANE'
-        end select
+        title = kind_words(cut%plane, titles, ' ')
         if (len_trim(cut%name) > 0) then
             title = title//' '//trim(adjustl(cut%name))
         else if (cut%plane%kind > cut_kind%waterline) then
@@ -61,18 +42,25 @@ contains
         end if
     end function cut_title
 
+    !> The word of the kind of a plane; of one across an axis also where it is.
+    pure function kind_words(plane, words, gap) result(text)
+        type(plane_type), intent(in) :: plane   !! of a cut
+        character(*), intent(in) :: words(:)    !! of each of `cut_kind%...`
+        character, intent(in) :: gap            !! between word and ordinate
+        character(:), allocatable :: text
+        text = trim(words(plane%kind))
+        if (plane%kind <= cut_kind%waterline) &
+            text = text//gap//shortest(plane%through(plane%kind))
+    end function kind_words
+
     !> A text with `_` for every byte that a name may not have; never empty.
     pure function safe_name(text) result(name)
         character(*), intent(in) :: text !! any bytes
         character(:), allocatable :: name
         character(*), parameter :: letters = 'ABCDEFGHIJKLMNOPQRSTUVWXYZ', &
             others = 'abcdefghijklmnopqrstuvwxyz0123456789-_.'
-        integer :: i
 
-        name = trim(text)
-        do i = 1, len(name)
-            if (verify(name(i:i), letters//others) > 0) name(i:i) = '_'
-        end do
+        name = limited(trim(text), letters//others, '_')
         if (len(name) == 0) name = '_'
     end function safe_name
 

@@ -128,14 +128,26 @@ contains
         real(dp) :: from(3), inward(3)
 
         call look_from(inside, s, from, inward)
-        is_found = any(.not. is_zero(inward))
-        if (.not. is_found) return
-        call foot_at(inside%body, section, from, -inward, foot, is_found)
-        if (is_found) is_found = -dot_product(foot%normal, inward) > grazing
+        call first_foot(inside, section, from, inward, foot, is_found)
         if (is_found) call settle_inside(inside%body, inside%thickness, inward, from, foot, &
             is_found)
         if (is_found) is_found = is_near(inside, from, inward, foot)
     end subroutine find_foot
+
+    !> The foot on a section from where the way inside begins; none where that way grazes the skin.
+    pure subroutine first_foot(inside, section, from, inward, foot, is_found)
+        type(opposite_type), intent(in) :: inside   !! any
+        integer, intent(in) :: section              !! of the whole body
+        real(dp), intent(in) :: from(3)             !! where the way inside begins
+        real(dp), intent(in) :: inward(3)           !! unit vector, or zero
+        type(foot_type), intent(out) :: foot        !! where it is found
+        logical, intent(out) :: is_found            !! there is one
+
+        is_found = any(.not. is_zero(inward))
+        if (.not. is_found) return
+        call foot_at(inside%body, section, from, -inward, foot, is_found)
+        if (is_found) is_found = -dot_product(foot%normal, inward) > grazing
+    end subroutine first_foot
 
     !> True for an inside that is ahead, and no further than a skin bent a little can be.
     pure logical function is_near(inside, from, inward, foot)
@@ -160,10 +172,7 @@ contains
         real(dp) :: from(3), inward(3)
 
         call look_from(inside, s, from, inward)
-        is_found = any(.not. is_zero(inward))
-        if (.not. is_found) return
-        call foot_at(inside%body, inside%outside%section, from, -inward, foot, is_found)
-        if (is_found) is_found = -dot_product(foot%normal, inward) > grazing
+        call first_foot(inside, inside%outside%section, from, inward, foot, is_found)
         if (is_found) call way_inside(inside%body, inside%thickness, inward, foot, is_found)
     end subroutine search_foot
 
@@ -213,6 +222,16 @@ contains
         if (t >= 1.0_dp) s = inside%to
     end function outer
 
+    !> The foot of the inside on its patch, or else on any section.
+    pure subroutine foot_opposite(inside, s, foot, is_found)
+        type(opposite_type), intent(in) :: inside   !! with patches
+        real(dp), intent(in) :: s                   !! parameter of the outside
+        type(foot_type), intent(out) :: foot        !! where it is found
+        logical, intent(out) :: is_found            !! there is one
+        call find_foot(inside, section_of(inside, s), s, foot, is_found)
+        if (.not. is_found) call search_foot(inside, s, foot, is_found)
+    end subroutine foot_opposite
+
     !> The point of the inside. Where there is no foot, as in a blunt nose, it is the thickness off.
     pure function inside_at(f, t) result(point)
         class(opposite_type), intent(in) :: f   !! with patches
@@ -222,8 +241,7 @@ contains
         logical :: is_found
 
         s = outer(f, t)
-        call find_foot(f, section_of(f, s), s, foot, is_found)
-        if (.not. is_found) call search_foot(f, s, foot, is_found)
+        call foot_opposite(f, s, foot, is_found)
         if (is_found) then
             point(:2) = true_shape(f%plane, foot%at - f%thickness*foot%normal)
         else
@@ -242,8 +260,7 @@ contains
         logical :: is_found
 
         s = outer(f, t)
-        call find_foot(f, section_of(f, s), s, foot, is_found)
-        if (.not. is_found) call search_foot(f, s, foot, is_found)
+        call foot_opposite(f, s, foot, is_found)
         way = f%outside%way(s)
         if (.not. is_found) return
         foot%at = [in_view(f%plane, across(foot%normal, f%plane%normal)), 0.0_dp]

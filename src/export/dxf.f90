@@ -16,7 +16,8 @@ module export_dxf
     use export_dxf_header, only: box_type, put_header
     use export_dxf_notes, only: add_bevels, add_notes
     use export_dxf_objects, only: put_blocks, put_classes, put_objects
-    use export_dxf_page, only: add_references, page_axes, page_type, words_type
+    use export_dxf_page, only: add_references, page_axes, page_type, stroke_type, &
+        words_type
     use export_dxf_shape, only: in_drawing, pen_type, put_shape
     use export_dxf_tables, only: layer_type, put_tables
     use export_dxf_tag, only: dxf_type
@@ -72,7 +73,10 @@ contains
             call put_shape(entities, shapes(i), pens(i), receipt, error)
             if (allocated(error)) return
         end do
-        call put_page(entities, page, settings%is_in_space)
+        call put_page(entities, reference_layer, page%references, page%ordinates, page%height, &
+            settings%is_in_space)
+        call put_page(entities, text_layer, page%ticks, page%words, page%height, &
+            settings%is_in_space)
         call assemble(entities, pens, box_of(shapes, page, settings%is_in_space), unit, out)
         call tell(shapes, pens, page, receipt)
     end subroutine write_dxf
@@ -164,60 +168,53 @@ contains
         type(shape_type), intent(in) :: shapes(:)   !! at least one contour
         type(page_type), intent(in) :: page         !! around them
         logical, intent(in) :: is_in_space          !! the page is BL 0
-        real(dp) :: low(2), high(2)
+        type(box_type) :: flat
         integer :: i, axes(2)
 
         box = hull_of(shapes, is_in_space)
-        low = page%low
-        high = page%high
+        flat%low(:2) = page%low
+        flat%high(:2) = page%high
         do i = 1, size(page%references)
-            low = min(low, page%references(i)%from, page%references(i)%to)
-            high = max(high, page%references(i)%from, page%references(i)%to)
+            call take_points(flat, reshape([page%references(i)%from, page%references(i)%to], [2, 2]))
         end do
-        call take_words(low, high, page%ordinates, page%height)
-        call take_words(low, high, page%words, page%height)
+        call take_words(flat, page%ordinates, page%height)
+        call take_words(flat, page%words, page%height)
         axes = [1, merge(3, 2, is_in_space)]
-        box%low(axes) = min(box%low(axes), low)
-        box%high(axes) = max(box%high(axes), high)
+        box%low(axes) = min(box%low(axes), flat%low(:2))
+        box%high(axes) = max(box%high(axes), flat%high(:2))
     end function box_of
 
     !> Widens a box so that words are in it; letters are taken to be as wide as high.
-    pure subroutine take_words(low, high, words, height)
-        real(dp), intent(inout) :: low(2)       !! lower left corner
-        real(dp), intent(inout) :: high(2)      !! upper right corner
-        type(words_type), intent(in) :: words(:) !! on the page
-        real(dp), intent(in) :: height          !! of letters
+    pure subroutine take_words(box, words, height)
+        type(box_type), intent(inout) :: box        !! on the page
+        type(words_type), intent(in) :: words(:)    !! on it, too
+        real(dp), intent(in) :: height              !! of letters
         real(dp) :: size_of(2), left(2)
         integer :: i
 
         do i = 1, size(words)
             size_of = height*[real(len(words(i)%text), dp), 1.0_dp]
             left = words(i)%at - size_of*[0.5_dp*real(words(i)%side, dp), 0.5_dp]
-            low = min(low, left)
-            high = max(high, left + size_of)
+            call take_points(box, reshape([left, left + size_of], [2, 2]))
         end do
     end subroutine take_words
 
-    !> Puts reference lines and words.
-    subroutine put_page(file, page, is_in_space)
+    !> Puts lines and words of the page.
+    subroutine put_page(file, layer, lines, words, height, is_in_space)
         type(dxf_type), intent(inout) :: file       !! gets them
-        type(page_type), intent(in) :: page         !! what stands on it
+        character(*), intent(in) :: layer           !! its name
+        type(stroke_type), intent(in) :: lines(:)   !! first
+        type(words_type), intent(in) :: words(:)    !! then
+        real(dp), intent(in) :: height              !! of letters
         logical, intent(in) :: is_in_space          !! the page is BL 0
         integer :: i
 
-        do i = 1, size(page%references)
-            call put_line(file, reference_layer, on_page(page%references(i)%from, is_in_space), &
-                on_page(page%references(i)%to, is_in_space))
+        do i = 1, size(lines)
+            call put_line(file, layer, on_page(lines(i)%from, is_in_space), &
+                on_page(lines(i)%to, is_in_space))
         end do
-        do i = 1, size(page%ordinates)
-            call put_words(file, reference_layer, page%ordinates(i), page%height, is_in_space)
-        end do
-        do i = 1, size(page%ticks)
-            call put_line(file, text_layer, on_page(page%ticks(i)%from, is_in_space), &
-                on_page(page%ticks(i)%to, is_in_space))
-        end do
-        do i = 1, size(page%words)
-            call put_words(file, text_layer, page%words(i), page%height, is_in_space)
+        do i = 1, size(words)
+            call put_words(file, layer, words(i), height, is_in_space)
         end do
     end subroutine put_page
 

@@ -2,11 +2,11 @@
 !> layer; and the bevels along the contours.
 module export_dxf_notes
     use base_constants, only: version
-    use base_digits, only: fixed
     use base_kinds, only: dp, i64
     use base_text, only: compact, counted, upper
     use export_drawing, only: contour_type, drawing_type
     use export_dxf_page, only: add_words, page_type, stroke_type, words_side
+    use export_pattern_number, only: bevel_text
     use export_settings, only: settings_type
     use export_units, only: unit_type
     implicit none (type, external)
@@ -75,13 +75,5 @@ contains
             end associate
         end do
     end subroutine add_bevels
-
-    !> A bevel with its sign, degrees to one decimal.
-    pure function bevel_text(bevel) result(text)
-        real(dp), intent(in) :: bevel   !! degrees
-        character(:), allocatable :: text
-        text = trim(adjustl(fixed(bevel, 9, 1)))
-        if (bevel > 0.0_dp .and. text /= '0.0') text = '+'//text
-    end function bevel_text
 
 end module export_dxf_notes

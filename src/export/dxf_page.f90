@@ -66,13 +66,13 @@ contains
         character(3) :: names(2)
         integer :: i
 
-        u_name = ''
-        v_name = ''
         if (is_in_space) then
-            call join(u_name, 'STA')
-            call join(v_name, 'WL')
+            u_name = 'STA'
+            v_name = 'WL'
             return
         end if
+        u_name = ''
+        v_name = ''
         do i = 1, size(drawing%cuts)
             names = axis_names(drawing%cuts(i)%kind)
             call join(u_name, trim(names(1)))

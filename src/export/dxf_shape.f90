@@ -8,14 +8,15 @@ module export_dxf_shape
     use base_error, only: error_type
     use base_exact, only: is_equal
     use base_kinds, only: dp
-    use cut_plane, only: true_shape
     use export_arcs, only: arc_contour_type, arc_rounding, arcs_of_contour, decimals_of_arcs, &
         parted_arcs
     use export_chords, only: chord_polygon, decimals_for, polygon_type, round_polygon, rounded, &
         rounding_error
     use export_drawing, only: contour_type, curve_type, shape_kind, shape_type
+    use export_drawing_join, only: in_plane
     use export_dxf_entity, only: put_light_polyline, put_line, put_point, put_polyline, put_spline
     use export_dxf_tag, only: dxf_type
+    use export_dxf_text, only: name_length
     use export_receipt, only: entity_type, receipt_type
     use geom_bspline, only: bspline_type, is_rational, spline_breaks
     use geom_circular, only: circular_type
@@ -26,8 +27,8 @@ module export_dxf_shape
 
     !> How shapes are drawn.
     type :: pen_type
-        character(31) :: layer = ''         !! of the outside of the skin, and of control lines
-        character(31) :: inside = ''        !! layer of the inside of the skin
+        character(name_length) :: layer = ''         !! of the outside of the skin, and of control lines
+        character(name_length) :: inside = ''        !! layer of the inside of the skin
         logical :: is_inside = .false.      !! what is drawn is of the inside
         logical :: is_in_space = .false.    !! not in the plane of the shape
         real(dp) :: tolerance = 0.0_dp      !! of polygons, unit of the drawing
@@ -44,16 +45,11 @@ contains
         real(dp), intent(in) :: at(:, :)        !! STA, BL, WL by columns
         logical, intent(in) :: is_in_space      !! where they are
         real(dp), allocatable :: place(:, :)
-        integer :: i
-
-        allocate (place(merge(3, 2, is_in_space), size(at, 2)))
-        do i = 1, size(at, 2)
-            if (is_in_space) then
-                place(:, i) = at(:, i)
-            else
-                place(:, i) = true_shape(shape%plane, at(:, i))
-            end if
-        end do
+        if (is_in_space) then
+            allocate (place, source=at)
+        else
+            allocate (place, source=in_plane(shape%plane, at))
+        end if
     end function in_drawing
 
     !> Puts all contours of a shape. Fails where `chord_polygon` or `arcs_of_contour` does.

@@ -7,6 +7,7 @@ module export_dxf_tables
     use export_dxf_header, only: box_type
     use export_dxf_tag, only: dxf_type, model_layout, model_space, paper_layout, paper_space, &
         plot_style
+    use export_dxf_text, only: name_length
     use export_units, only: unit_type
     implicit none (type, external)
     private
@@ -15,7 +16,7 @@ module export_dxf_tables
 
     !> A layer.
     type :: layer_type
-        character(31) :: name = ''      !! capitals, figures, `$`, `-`, `_`
+        character(name_length) :: name = ''      !! capitals, figures, `$`, `-`, `_`
         integer :: colour = 7           !! of AutoCAD's colours: 1 red ... 7 white or black
         logical :: is_chained = .false. !! lines as centre lines
     end type layer_type

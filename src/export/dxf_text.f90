@@ -1,6 +1,6 @@
 !> Words in a DXF file: any text in the characters that R12 and R2000 read, and names of layers.
 module export_dxf_text
-    use base_text, only: to_text, upper
+    use base_text, only: limited, to_text, upper
     use base_utf8, only: character_length, code_point
     implicit none (type, external)
     private
@@ -96,12 +96,8 @@ contains
         character(*), intent(in) :: name    !! any bytes
         character(:), allocatable :: plain
         character(*), parameter :: good = 'ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789$-_'
-        integer :: i
 
-        plain = upper(name)
-        do i = 1, len(plain)
-            if (verify(plain(i:i), good) > 0) plain(i:i) = '_'
-        end do
+        plain = limited(upper(name), good, '_')
         if (len(plain) > name_length) plain = plain(len(plain) - name_length + 1:)
         if (len(plain) == 0) plain = '_'
     end function plain_name

@@ -2,10 +2,10 @@
 module export_nc_follow
     use base_error, only: error_type
     use base_kinds, only: dp
-    use cut_plane, only: true_shape
     use export_arcs, only: arc_contour_type, arc_rounding, arcs_of_contour, parted_arcs
     use export_chords, only: chord_polygon, polygon_type, round_polygon, rounding_error
     use export_drawing, only: contour_type, shape_type
+    use export_drawing_join, only: in_plane
     use export_nc_arcs, only: arc_path
     use export_nc_path, only: path_type, run_type, straight_path
     use export_receipt, only: entity_type
@@ -25,17 +25,11 @@ contains
         type(entity_type), intent(inout) :: entity          !! gets kind and error
         type(error_type), allocatable, intent(out) :: error !! see above
         type(polygon_type) :: polygon
-        real(dp), allocatable :: flat(:, :)
-        integer :: i
 
         allocate (path%segments(0))
         call chord_polygon(contour, run%tolerance - rounding_error(run%decimals, 2), polygon, error)
         if (allocated(error)) return
-        allocate (flat(2, size(polygon%at, 2)))
-        do i = 1, size(flat, 2)
-            flat(:, i) = true_shape(shape%plane, polygon%at(:, i))
-        end do
-        call move_alloc(flat, polygon%at)
+        polygon%at = in_plane(shape%plane, polygon%at)
         call round_polygon(polygon, run%decimals)
         if (size(polygon%at, 2) > 1) path = straight_path(polygon%at, polygon%is_closed)
         path%start = polygon%at(:, 1)

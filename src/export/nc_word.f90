@@ -8,7 +8,7 @@
 module export_nc_word
     use base_digits, only: fixed
     use base_kinds, only: dp
-    use base_text, only: upper
+    use base_text, only: limited, upper
     implicit none (type, external)
     private
 
@@ -24,12 +24,8 @@ contains
         character(*), intent(in) :: words   !! any bytes
         character(:), allocatable :: text
         character(*), parameter :: good = 'ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789 .,-+_=/'
-        integer :: i
 
-        text = upper(words)
-        do i = 1, len(text)
-            if (verify(text(i:i), good) > 0) text(i:i) = '-'
-        end do
+        text = limited(upper(words), good, '-')
         text = '('//trim(text(:min(len(text), longest - 2)))//')'
     end function comment
 

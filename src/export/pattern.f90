@@ -10,7 +10,7 @@ module export_pattern
     use export_drawing_whole, only: whole
     use export_pattern_block, only: draw_block
     use export_pattern_marks, only: draw_bevels, draw_lines, draw_name, line_type, name_lines
-    use export_pattern_page, only: page_type
+    use export_pattern_page, only: largest_page, page_type
     use export_pattern_paper, only: find_paper, paper_kind, paper_type
     use export_pattern_part, only: new_part, part_type
     use export_pattern_sheets, only: fitted_page, framed_part, make_sheets
@@ -26,8 +26,6 @@ module export_pattern
 
     !> The tolerance where none is asked for, in.
     real(dp), parameter :: usual_tolerance = 1.0e-3_dp
-    !> The longest page of a roll, in: that of a PDF.
-    real(dp), parameter :: longest_page = 200.0_dp
 
 contains
 
@@ -140,7 +138,7 @@ contains
         type(paper_type), intent(in) :: roll        !! what it is printed on
 
         strips = roll
-        strips%size(2) = min(longest_page, strip_height + 2.0_dp*roll%margin + &
+        strips%size(2) = min(largest_page, strip_height + 2.0_dp*roll%margin + &
             real(ceiling(sheet%size(2) + roll%overlap), dp))
     end function strips_for
 

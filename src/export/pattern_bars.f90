@@ -9,7 +9,7 @@ module export_pattern_bars
     implicit none (type, external)
     private
 
-    public :: draw_bars, bars_height, bars_length
+    public :: draw_bars, bars_height
 
     !> Lengths that bars may have, inches and centimetres.
     integer, parameter :: in_lengths(6) = [10, 5, 4, 3, 2, 1], &
@@ -39,13 +39,6 @@ contains
         call draw_bar(page, corner + [0.0_dp, end_tick], number, centimetre, &
             'MEASURE THIS: '//to_text(number)//'.00 cm')
     end subroutine draw_bars
-
-    !> The length of the longer bar, in.
-    pure real(dp) function bars_length(width) result(length)
-        real(dp), intent(in) :: width !! of the room, in; 1 or more
-        length = max(real(longest(in_lengths, 1.0_dp, width), dp), &
-            centimetre*real(longest(cm_lengths, centimetre, width), dp))
-    end function bars_length
 
     !> The longest length that there is room for, at least the shortest.
     pure integer function longest(lengths, unit, width) result(length)

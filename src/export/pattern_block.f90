@@ -6,7 +6,7 @@ module export_pattern_block
     use base_text, only: to_text
     use cut_plane, only: cut_kind, flange_normal, plane_type
     use export_drawing, only: drawing_type, shape_kind, shape_type
-    use export_pattern_grid, only: families_of, family_type
+    use export_pattern_grid, only: axis_name, families_of, family_type
     use export_pattern_number, only: ordinate, short
     use export_pattern_page, only: bounds_of, label_type
     use export_pattern_part, only: part_type
@@ -173,19 +173,14 @@ contains
         type(part_type), intent(in) :: part     !! with its outlines
         character(:), allocatable :: words
         type(family_type) :: families(2)
-        character(3), parameter :: names(3) = ['STA', 'BL ', 'WL ']
         integer :: k
 
         families = families_of(shape%plane, shape%kind, part)
         words = 'LINES'
         do k = 1, 2
-            words = words//trim(merge(',', ' ', k == 2))//' '
-            if (families(k)%is_card) then
-                words = words//merge('X', 'Y', families(k)%axis == 1)
-            else
-                words = words//trim(names(families(k)%axis))
-            end if
-            words = words//' EVERY '//ordinate(families(k)%step)//' '//trim(unit%short)
+            if (k == 2) words = words//','
+            words = words//' '//axis_name(families(k))//' EVERY '//ordinate(families(k)%step)// &
+                ' '//trim(unit%short)
         end do
     end function step_words
 

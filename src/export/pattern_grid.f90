@@ -10,7 +10,7 @@ module export_pattern_grid
     implicit none (type, external)
     private
 
-    public :: family_type, families_of, name_of, chords_of, round_step
+    public :: family_type, families_of, axis_name, name_of, chords_of, round_step
 
     !> Which ordinate a family is of.
     integer, parameter :: sta = 1, bl = 2, wl = 3
@@ -125,24 +125,28 @@ contains
         end if
     end function round_step
 
+    !> What the ordinate of a family is called: `STA`, `BL`, `WL`; of a card `X` or `Y`.
+    pure function axis_name(family) result(name)
+        type(family_type), intent(in) :: family !! any
+        character(:), allocatable :: name
+        character(3), parameter :: names(3) = ['STA', 'BL ', 'WL ']
+        name = trim(names(family%axis))
+        if (family%is_card) name = merge('X', 'Y', family%axis == sta)
+    end function axis_name
+
     !> What a line is called: `WL 12.5`, `BL 5 STBD`, `X 20`.
     pure function name_of(family, number) result(name)
         type(family_type), intent(in) :: family     !! the line is one of these
         integer, intent(in) :: number               !! at number*step
         character(:), allocatable :: name
-        character(3), parameter :: names(3) = ['STA', 'BL ', 'WL ']
         real(dp) :: value
 
         value = real(number, dp)*family%step
-        if (family%is_card) then
-            name = merge('X ', 'Y ', family%axis == sta)//ordinate(value)
-        else if (family%axis == bl) then
-            name = 'BL '//ordinate(abs(value))
-            if (number > 0) name = name//' STBD'
-            if (number < 0) name = name//' PORT'
-        else
-            name = trim(names(family%axis))//' '//ordinate(value)
-        end if
+        if (family%axis == bl) value = abs(value)
+        name = axis_name(family)//' '//ordinate(value)
+        if (family%axis /= bl) return
+        if (number > 0) name = name//' STBD'
+        if (number < 0) name = name//' PORT'
     end function name_of
 
     !> The stretches of a line that lie on the part, from edge to edge. The line runs to the right,

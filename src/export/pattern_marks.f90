@@ -1,10 +1,10 @@
 !> What is marked on a part: bevels along its outline, reference lines with their names, the centre
 !> line with its symbol, and the part's name.
 module export_pattern_marks
-    use base_digits, only: fixed
     use base_kinds, only: dp
     use export_drawing, only: mark_type, shape_type
     use export_pattern_grid, only: chords_of, families_of, family_type, name_of
+    use export_pattern_number, only: bevel_text
     use export_pattern_page, only: label_corners, label_type, side
     use export_pattern_part, only: is_inside_outline, part_type
     use export_pattern_style, only: style
@@ -60,7 +60,7 @@ contains
         real(dp) :: at(2), line(2, 2), down(2)
         integer :: i, k
 
-        label%text = degrees_text(mark%bevel)
+        label%text = bevel_text(mark%bevel)//char(194)//char(176)
         label%height = small
         label%along = -mark%outward
         label%side = side%right
@@ -78,21 +78,11 @@ contains
                 at = line(:, 2) - (gap + 0.5_dp*stride*real(i, dp))*mark%outward + &
                     (0.5_dp*capital + asides(k))*small*down
                 if (.not. part%room%is_free(at, label)) cycle
-                call part%page%write(style%bevel_words, at, label)
-                call part%room%take_label(at, label)
+                call put_words(style%bevel_words, at, label, part)
                 return
             end do
         end do
     end subroutine draw_bevel
-
-    !> Degrees with their sign, to a tenth.
-    pure function degrees_text(value) result(text)
-        real(dp), intent(in) :: value !! degrees
-        character(:), allocatable :: text
-        text = trim(adjustl(fixed(value, 12, 1)))
-        if (text(1:1) /= '-' .and. text /= '0.0') text = '+'//text
-        text = text//char(194)//char(176)
-    end function degrees_text
 
     !> Draws the reference lines.
     pure subroutine draw_lines(shape, part, lines)
@@ -167,12 +157,10 @@ contains
         letter%side = side%middle
         letter%text = 'C'
         at = ends(:, 2) + 0.55_dp*symbol*line%along - [0.0_dp, 0.3_dp*symbol]
-        call part%page%write(style%words, at, letter)
-        call part%room%take_label(at, letter)
+        call put_words(style%words, at, letter, part)
         letter%text = 'L'
         at = at + symbol*[0.16_dp, -0.26_dp]
-        call part%page%write(style%words, at, letter)
-        call part%room%take_label(at, letter)
+        call put_words(style%words, at, letter, part)
     end subroutine draw_centre
 
     !> Writes the name of a line at both ends of each stretch, inside of the outline; where there is
@@ -218,17 +206,25 @@ contains
             if (from > abs(half)) exit
             at = line%foot + (end + sign(from, half))*line%along + above*up
             if (.not. part%room%is_free(at, moved)) cycle
-            call part%page%write(style%line_words, at, moved)
-            call part%room%take_label(at, moved)
+            call put_words(style%line_words, at, moved, part)
             return
         end do
         moved%side = side%left - label%side
         at = line%foot + (end - sign(beyond + gap, half))*line%along - 0.5_dp*capital*small*up
         is_written = part%room%is_free(at, moved)
         if (.not. is_written) return
-        call part%page%write(style%line_words, at, moved)
-        call part%room%take_label(at, moved)
+        call put_words(style%line_words, at, moved, part)
     end subroutine write_near
+
+    !> Writes words of a part; their room is taken then.
+    pure subroutine put_words(kind, at, label, part)
+        integer, intent(in) :: kind             !! one of `style%...`
+        real(dp), intent(in) :: at(2)           !! where they stand, in
+        type(label_type), intent(in) :: label   !! what
+        type(part_type), intent(inout) :: part  !! gets them
+        call part%page%write(kind, at, label)
+        call part%room%take_label(at, label)
+    end subroutine put_words
 
     !> Writes a part's name on it, so that it is still there when the paper is cut; nowhere where it
     !> has no room.
@@ -253,8 +249,7 @@ contains
                     corners = label_corners(at, label)
                     if (.not. is_inside_outline(part, corners(:, 1))) cycle
                     if (.not. part%room%is_free(at, label)) cycle
-                    call part%page%write(style%words, at, label)
-                    call part%room%take_label(at, label)
+                    call put_words(style%words, at, label, part)
                     return
                 end do
             end do

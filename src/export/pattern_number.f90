@@ -5,7 +5,7 @@ module export_pattern_number
     implicit none (type, external)
     private
 
-    public :: short, ordinate, inches
+    public :: short, ordinate, inches, bevel_text
 
     !> Decimals of an ordinate.
     integer, parameter :: ordinate_decimals = 6
@@ -39,5 +39,13 @@ contains
         character(:), allocatable :: text
         text = trim(adjustl(fixed(value, 24, 3)))
     end function inches
+
+    !> A bevel with its sign, degrees to a tenth.
+    pure function bevel_text(bevel) result(text)
+        real(dp), intent(in) :: bevel !! degrees
+        character(:), allocatable :: text
+        text = trim(adjustl(fixed(bevel, 12, 1)))
+        if (bevel > 0.0_dp .and. text /= '0.0') text = '+'//text
+    end function bevel_text
 
 end module export_pattern_number

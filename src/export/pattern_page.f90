@@ -30,6 +30,9 @@ module export_pattern_page
     !> The sides by name.
     type(side_list), parameter, public :: side = side_list()
 
+    !> The side of the largest page of a PDF, in: so long may any page be.
+    real(dp), parameter, public :: largest_page = 200.0_dp
+
     !> Words.
     type :: label_type
         character(:), allocatable :: text           !! any bytes, meant to be UTF-8

@@ -13,16 +13,16 @@ module export_pdf
     use export_pattern_letters, only: text_width
     use export_pattern_number, only: inches, short
     use export_pattern_page, only: drawing_order, is_straight, item_kind, item_type, label_type, &
-        page_type
+        largest_page, page_type
     use export_pattern_style, only: look_of, look_type
     use export_pdf_file, only: pdf_file_type, pdf_text
     implicit none (type, external)
     private
 
-    public :: write_pdf, largest_page
+    public :: write_pdf
 
-    !> Units of an inch, decimals of a unit, and the side of the largest page, in.
-    real(dp), parameter :: points = 72.0_dp, largest_page = 200.0_dp
+    !> Units of an inch, and decimals of a unit.
+    real(dp), parameter :: points = 72.0_dp
     integer, parameter :: decimals = 5
     !> Numbers of the objects that every file has; two for each page follow.
     integer, parameter :: catalogue = 1, tree = 2, info = 3, fonts(2) = [4, 5], first_page = 6
@@ -65,8 +65,8 @@ contains
             if (maxval(pages(i)%size) <= largest_page) cycle
             call fail(error, cause%usage, 'page '//pages(i)%label//' is '// &
                 inches(pages(i)%size(1))//' by '//inches(pages(i)%size(2))//' in, and a page '// &
-                'of a PDF ends at 200 in; take a sheet for each cut, paper (a4, letter, a3, '// &
-                'tabloid) or SVG')
+                'of a PDF ends at 200 in; take paper (a4, letter, a3, tabloid), SVG or a sheet '// &
+                'for each cut')
             return
         end do
     end subroutine refuse_large

@@ -1,9 +1,8 @@
 !> Small deeds on text, by hand-worked examples.
 program test_text
     use base_kinds, only: dp, i64
-    use base_text, only: characters, columns, compact, counted, first_bytes, printable, right, &
-        row_of, to_text, &
-        upper
+    use base_text, only: characters, columns, compact, counted, first_bytes, limited, &
+        printable, right, row_of, to_text, upper
     use support_tap, only: tap_type
     implicit none (type, external)
 
@@ -19,6 +18,7 @@ program test_text
     call tap%same(printable('a'//achar(7)//'b'//achar(9)//achar(127)), 'a?b??', &
         'control bytes show as question marks')
     call tap%same(printable('Grüße'), 'Grüße', 'letters beyond ASCII stay')
+    call tap%same(limited('A/b C', 'ABC ', '_'), 'A__ C', 'letters that may not be are another')
     call tap%finish()
 
 contains

@@ -4,8 +4,8 @@ program test_drawing_join
     use cut_plane, only: buttock_plane, plane_type, waterline_plane
     use export_drawing, only: contour_type, curve_type
     use export_drawing_fit, only: arc_curve
-    use export_drawing_join, only: first_point, gap_between, join, last_point, put_in_space, &
-        seat_ends
+    use export_drawing_join, only: first_point, gap_between, in_plane, join, last_point, &
+        put_in_space, seat_ends
     use geom_arc, only: line_between
     use support_tap, only: tap_type
     implicit none (type, external)
@@ -36,6 +36,8 @@ program test_drawing_join
         all(abs(last_point(second) - [3.0_dp, 7.0_dp, 5.0_dp]) <= 0.0_dp), &
         'a curve of a butt line in space is in it, to the last bit')
     call tap%near(second%worst(2), 7.0_dp, 0.0_dp, 'and so is its worst place')
+    call tap%ok(all(abs(in_plane(plane, second%spline%pole) - first%spline%pole) <= 0.0_dp), &
+        'its points have u and v as before')
 
     plane = waterline_plane(2.0_dp)
     allocate (contour%curves(1), contour%marks(0))

@@ -6,7 +6,8 @@ program test_pattern_grid
     use cut_plane, only: buttock_plane, in_space, oblique_plane, plane_through, plane_type, &
         station_plane, waterline_plane
     use export_drawing, only: shape_kind, shape_type
-    use export_pattern_grid, only: chords_of, families_of, family_type, name_of, round_step
+    use export_pattern_grid, only: axis_name, chords_of, families_of, family_type, name_of, &
+        round_step
     use export_pattern_part, only: new_part, part_type
     use export_receipt, only: receipt_type
     use support_shapes, only: add_circle, add_path, new_shape
@@ -33,6 +34,8 @@ program test_pattern_grid
     call tap%same(name_of(families(1), 1), 'BL 5 STBD', 'butt lines say their side')
     call tap%same(name_of(families(1), -2), 'BL 10 PORT', 'in words')
     call tap%same(name_of(families(2), -1), 'WL -5', 'waterlines their sign')
+    call tap%same(axis_name(family_type(1))//axis_name(family_type(1, .true.))// &
+        axis_name(family_type(3, .true.)), 'STAXY', 'cards have X and Y')
     call try_chords(station_plane(20.0_dp), 'station')
     call try_chords(buttock_plane(4.0_dp), 'buttock')
     call try_chords(waterline_plane(-3.0_dp), 'waterline')

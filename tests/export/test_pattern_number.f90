@@ -1,7 +1,7 @@
 !> Tests of numbers on paper.
 program test_pattern_number
     use base_kinds, only: dp
-    use export_pattern_number, only: inches, ordinate, short
+    use export_pattern_number, only: bevel_text, inches, ordinate, short
     use support_tap, only: tap_type
     implicit none (type, external)
 
@@ -14,5 +14,8 @@ program test_pattern_number
     call tap%same(short(120.0_dp, 0), '120', 'without decimals')
     call tap%same(ordinate(3.0_dp*0.1_dp), '0.3', 'an ordinate without the noise of binary')
     call tap%same(inches(10.0_dp), '10.000', 'inches with three decimals')
+    call tap%same(bevel_text(3.46_dp)//' '//bevel_text(-3.44_dp), '+3.5 -3.4', &
+        'a bevel has its sign')
+    call tap%same(bevel_text(0.04_dp)//' '//bevel_text(-0.04_dp), '0.0 0.0', 'none has no bevel')
     call tap%finish()
 end program test_pattern_number
