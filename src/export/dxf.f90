@@ -175,7 +175,9 @@ contains
         flat%low(:2) = page%low
         flat%high(:2) = page%high
         do i = 1, size(page%references)
-            call take_points(flat, reshape([page%references(i)%from, page%references(i)%to], [2, 2]))
+            associate (line => page%references(i))
+                call take_points(flat, reshape([line%from, line%to], [2, 2]))
+            end associate
         end do
         call take_words(flat, page%ordinates, page%height)
         call take_words(flat, page%words, page%height)

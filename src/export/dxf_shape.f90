@@ -27,8 +27,8 @@ module export_dxf_shape
 
     !> How shapes are drawn.
     type :: pen_type
-        character(name_length) :: layer = ''         !! of the outside of the skin, and of control lines
-        character(name_length) :: inside = ''        !! layer of the inside of the skin
+        character(name_length) :: layer = ''  !! of the outside of the skin, and of control lines
+        character(name_length) :: inside = '' !! layer of the inside of the skin
         logical :: is_inside = .false.      !! what is drawn is of the inside
         logical :: is_in_space = .false.    !! not in the plane of the shape
         real(dp) :: tolerance = 0.0_dp      !! of polygons, unit of the drawing

@@ -99,7 +99,7 @@ contains
         family%step = round_step(max((high - low)/least_steps, &
             shortest_step*norm2(family%gradient)/part%inch))
         family%first = ceiling(low/family%step + at_edge)
-        family%last = floor(high/family%step - at_edge)
+        family%last = max(family%first - 1, floor(high/family%step - at_edge))
         if (part%fold > 0 .and. family%axis == bl) then
             family%first = min(family%first, 0)
             family%last = max(family%last, 0)

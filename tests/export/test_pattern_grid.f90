@@ -144,6 +144,12 @@ contains
         call chords_of(part, families(1), 1, along, foot, chords)
         call tap%ok(all(abs(chords(:, 1) - [0.0_dp, 12.0_dp]) < 1.0e-9_dp), 'or from its bottom')
         call tap%ok(families(2)%first == 1, 'the waterline of its bottom edge is not drawn')
+
+        shape = new_shape('STA_0', 'STATION 0', station_plane(0.0_dp))
+        call add_path(shape, reshape([-9.0_dp, 0.0_dp, 9.0_dp, 0.0_dp], [2, 2]))
+        call new_part(shape, 1.0_dp, 1.0e-3_dp, part, receipt)
+        families = families_of(shape%plane, shape%kind, part)
+        call tap%ok(families(2)%last == families(2)%first - 1, 'a straight strip has no line along')
     end subroutine try_open
 
 end program test_pattern_grid
