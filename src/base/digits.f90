@@ -1,17 +1,20 @@
 !> Numbers as figures: fixed decimals for listings, figures with a power of ten for coefficients,
 !> and for CSV the shortest figures that read back as the same number. There is no `-0.000`, and a
 !> number that does not fit its columns is given with a power of ten, never as asterisks.
+!>
+!> Each is worked by a product that says how sure it is; where it leaves a doubt, because the number
+!> is a tie or next to one, the figures are worked exactly.
 module base_digits
-    use base_exact, only: is_equal, is_zero
+    use base_figures, only: figure_count, put_text, put_units, put_whole
     use base_kinds, only: dp, i128, i64
-    use base_text, only: right, row_of
-    implicit none (type, external)
+    use base_rounding, only: figures_of, shortest_figures, units_of
+        implicit none (type, external)
     private
 
-    public :: fixed, scientific, shortest
+    public :: fixed, scientific, shortest, put_scientific, put_shortest
 
-    !> Figures that a double always keeps, and that always tell it from its neighbours.
-    integer, parameter :: kept_figures = 15, telling_figures = 17
+    !> Columns of the longest numbers that `put_shortest` and `put_scientific` write.
+    integer, parameter, public :: widest_shortest = 24, widest_scientific = 24
 
 contains
 
@@ -22,231 +25,146 @@ contains
         integer, intent(in) :: width    !! columns, at least 9
         integer, intent(in) :: decimals !! figures behind the point, 0 to 12
         character(:), allocatable :: text
-        character(24) :: field
-        integer(i64) :: rest
-        integer :: first, place
+        character(40) :: line
+        integer(i64) :: units
         logical :: is_negative
+        integer :: used
 
-        rest = units_of(abs(value), decimals)
-        is_negative = value < 0.0_dp .and. rest > 0
-        first = len(field) + 1
-        place = 0
-        do while (rest > 0 .or. place <= decimals)
-            if (place == decimals) call put_before('.', field, first)
-            call put_before(achar(iachar('0') + int(mod(rest, 10_i64))), field, first)
-            rest = rest/10
-            place = place + 1
-        end do
-        if (is_negative) call put_before('-', field, first)
-        if (len(field) - first < width) then
-            text = right(field(first:), width)
-        else
+        units = units_of(abs(value), decimals)
+        is_negative = value < 0.0_dp .and. units > 0
+        used = max(figure_count(units), decimals + 1) + merge(2, 1, is_negative)
+        if (used > width) then
             text = scientific(value, width, max(1, width - 8))
+        else
+            call put_units(units, is_negative, decimals, line, len(line))
+            allocate (character(width) :: text)
+            text(:) = ''
+            text(width - used + 1:) = line(len(line) - used + 1:)
         end if
     end function fixed
-
-    !> Puts a character in front of a text that grows from its end.
-    pure subroutine put_before(letter, field, first)
-        character, intent(in) :: letter         !! which
-        character(*), intent(inout) :: field    !! where the text stands
-        integer, intent(inout) :: first         !! where it begins
-        first = first - 1
-        field(first:first) = letter
-    end subroutine put_before
-
-    !> A number in units of its last decimal, rounded exactly, halves to even; the largest whole
-    !> number where it is too large to be printed so.
-    pure integer(i64) function units_of(value, decimals) result(units)
-        real(dp), intent(in) :: value   !! not negative, finite
-        integer, intent(in) :: decimals !! 0 to 12
-        real(dp), parameter :: most = 1.0e17_dp
-        integer(i128) :: scaled, part, half
-        integer :: drop
-
-        units = huge(units)
-        if (value >= most/10.0_dp**decimals) return
-        units = 0
-        drop = digits(value) - exponent(value)
-        if (drop > 100) return
-        scaled = int(scale(fraction(value), digits(value)), i128)*10_i128**int(decimals, i128)
-        if (drop <= 0) then
-            units = int(shiftl(scaled, -drop), i64)
-            return
-        end if
-        units = int(shiftr(scaled, drop), i64)
-        part = iand(scaled, shiftl(1_i128, drop) - 1_i128)
-        half = shiftl(1_i128, drop - 1)
-        if (part > half .or. (part == half .and. mod(units, 2_i64) == 1)) units = units + 1
-    end function units_of
 
     !> A number with one figure before the point and a power of ten of two figures, or three where
     !> it needs them, right in its columns.
     pure function scientific(value, width, figures) result(text)
         real(dp), intent(in) :: value   !! a finite number
         integer, intent(in) :: width    !! columns, at least figures + 7
-        integer, intent(in) :: figures  !! figures in all
+        integer, intent(in) :: figures  !! figures in all, 1 to 17
         character(:), allocatable :: text
-        character(48) :: format, field
-        integer :: power
+        character(widest_scientific) :: line
+        integer :: next
 
-        write (format, '(a,i0,a)') '(es48.', figures - 1, 'e3)'
-        write (field, format) merge(0.0_dp, value, is_zero(value))
-        power = index(field, 'E') + 2
-        if (field(power:power) == '0') field(power:) = field(power + 1:)
-        text = right(field, width)
+        next = 1
+        call put_scientific(value, figures, line, next)
+        allocate (character(max(width, next - 1)) :: text)
+        text(:) = ''
+        text(len(text) - next + 2:) = line(:next - 1)
     end function scientific
+
+    !> Writes a number with a power of ten, as `scientific`, from a column on.
+    pure subroutine put_scientific(value, figures, line, next)
+        real(dp), intent(in) :: value       !! a finite number
+        integer, intent(in) :: figures      !! figures in all, 1 to 17
+        character(*), intent(inout) :: line !! has figures + 7 columns from there on
+        integer, intent(inout) :: next      !! the first column; behind the last on return
+        integer(i64) :: units
+        integer :: power, i
+
+        if (value < 0.0_dp) call put_text('-', line, next)
+        if (abs(value) > 0.0_dp) then
+            call figures_of(abs(value), figures, units, power)
+            next = next + 1
+            call put_whole(units, line, next)
+            power = power + figures - 1
+        else
+            power = 0
+            do i = 0, figures
+                call put_text('0', line, next)
+            end do
+        end if
+        associate (point => next - figures)
+            line(point - 1:point - 1) = line(point:point)
+            line(point:point) = '.'
+        end associate
+        call put_power('E', power, line, next)
+    end subroutine put_scientific
+
+    !> Writes a power of ten with its sign, at least two figures.
+    pure subroutine put_power(letter, power, line, next)
+        character, intent(in) :: letter     !! what begins it
+        integer, intent(in) :: power        !! power of ten, -999 to 999
+        character(*), intent(inout) :: line !! gets it
+        integer, intent(inout) :: next      !! the first column; behind the last on return
+        call put_text(letter//merge('-', '+', power < 0), line, next)
+        if (abs(power) < 10) call put_text('0', line, next)
+        call put_whole(int(abs(power), i64), line, next)
+    end subroutine put_power
 
     !> The fewest figures that read back as the same double: `-30`, `0.1`, `1e-07`.
     pure function shortest(value) result(text)
         real(dp), intent(in) :: value !! a finite number
         character(:), allocatable :: text
+        character(widest_shortest) :: line
+        integer :: next
+
+        next = 1
+        call put_shortest(value, line, next)
+        text = line(:next - 1)
+    end function shortest
+
+    !> Writes the fewest figures that read back as the same double, from a column on.
+    pure subroutine put_shortest(value, line, next)
+        real(dp), intent(in) :: value       !! a finite number
+        character(*), intent(inout) :: line !! has `widest_shortest` columns from there on
+        integer, intent(inout) :: next      !! the first column; behind the last on return
         integer(i64) :: figures
         integer :: power
 
-        if (is_zero(value)) then
-            text = '0'
+        if (.not. abs(value) > 0.0_dp) then
+            line(next:next) = '0'
+            next = next + 1
             return
         end if
-        call fewest_figures(abs(value), figures, power)
-        text = written(figures, power)
-        if (value < 0.0_dp) text = '-'//text
-    end function shortest
-
-    !> The whole number with the fewest figures such that `figures * 10**power` reads as the value.
-    pure subroutine fewest_figures(value, figures, power)
-        real(dp), intent(in) :: value        !! a finite positive number
-        integer(i64), intent(out) :: figures !! the figures, without zeros at their end
-        integer, intent(out) :: power        !! the power of ten behind them
-        real(dp), parameter :: least = 1.0e-12_dp, most = 1.0e15_dp
-
-        if (value >= least .and. value < most) then
-            call short_figures(value, figures, power)
-        else
-            call tried_figures(value, figures, power)
+        if (value < 0.0_dp) then
+            line(next:next) = '-'
+            next = next + 1
         end if
-        do while (mod(figures, 10_i64) == 0)
-            figures = figures/10
-            power = power + 1
-        end do
-    end subroutine fewest_figures
+        call shortest_figures(abs(value), figures, power)
+        call put_figures(figures, power, line, next)
+    end subroutine put_shortest
 
-    !> Works the fewest figures in whole numbers, all in one small unit: the decimals between the
-    !> two halfway points to the neighbours read as the value, the halfway points themselves where
-    !> its last bit is even. The coarsest power of ten with a multiple there gives the fewest
-    !> figures; of its multiples the one nearest to the value is taken, of two the even one.
-    pure subroutine short_figures(value, figures, power)
-        real(dp), intent(in) :: value        !! 1e-12 to 1e15
-        integer(i64), intent(out) :: figures !! the figures
-        integer, intent(out) :: power        !! the power of ten behind them
-        integer(i128) :: bits, five, step, low, middle, high, multiple
-        integer :: places
-
-        places = telling_figures - floor(log10(value))
-        bits = int(scale(fraction(value), digits(value)), i128)
-        five = 5_i128**int(places, i128)
-        ! The unit is 2**(exponent - digits - 2) / 5**places, so that a quarter bit is `five`.
-        middle = 4*bits*five
-        high = middle + 2*five
-        low = middle - merge(five, 2*five, is_equal(fraction(value), 0.5_dp))
-        if (mod(bits, 2_i128) == 1) then
-            high = high - 1
-            low = low + 1
-        end if
-        step = 2_i128**int(digits(value) + 2 - exponent(value) - places, i128)
-        power = -places
-        do while (high/(10*step)*(10*step) >= low)
-            step = 10*step
-            power = power + 1
-        end do
-        multiple = (middle + step/2)/step
-        if (multiple*step - middle == step/2) multiple = multiple - mod(multiple, 2_i128)
-        if (multiple*step < low) multiple = multiple + 1
-        if (multiple*step > high) multiple = multiple - 1
-        figures = int(multiple, i64)
-    end subroutine short_figures
-
-    !> Tries more and more figures until they tell a very large or small value from all others.
-    !> Beside a power of two the nearest decimal may read as another double, and the next one
-    !> beyond it as the value. Subnormal numbers have few figures.
-    pure subroutine tried_figures(value, figures, power)
-        real(dp), intent(in) :: value        !! a finite positive number
-        integer(i64), intent(out) :: figures !! the figures
-        integer, intent(out) :: power        !! the power of ten behind them
-        integer :: count
-        integer(i64) :: shift
-
-        do count = merge(kept_figures, 1, value >= tiny(value)), telling_figures
-            call rounded(value, count, figures, power)
-            if (is_equal(read_back(figures, power), value)) return
-            do shift = -1_i64, 1_i64, 2_i64
-                if (.not. is_equal(read_back(figures + shift, power), value)) cycle
-                figures = figures + shift
-                return
-            end do
-        end do
-    end subroutine tried_figures
-
-    !> A number correctly rounded to a count of figures.
-    pure subroutine rounded(value, count, figures, power)
-        real(dp), intent(in) :: value        !! a finite positive number
-        integer, intent(in) :: count         !! how many figures
-        integer(i64), intent(out) :: figures !! the figures as a whole number
-        integer, intent(out) :: power        !! the power of ten behind them
-        character(32) :: format, field
-        integer :: e
-
-        write (format, '(a,i0,a)') '(es32.', count - 1, 'e3)'
-        write (field, format) value
-        field = adjustl(field)
-        e = index(field, 'E')
-        read (field(e + 1:), *) power
-        power = power - (count - 1)
-        field = field(1:1)//field(3:e - 1)
-        read (field, *) figures
-    end subroutine rounded
-
-    !> The double that figures and a power of ten read as; zero for what is above the largest.
-    pure real(dp) function read_back(figures, power) result(value)
-        integer(i64), intent(in) :: figures !! positive whole number of at most 17 figures
-        integer, intent(in) :: power        !! power of ten
-        character(48) :: field
-        integer :: status
-        ! The largest double is 17976931348623157 * 10**292.
-        integer(i128), parameter :: largest_figures = 17976931348623157_i128
-        integer, parameter :: their_power = 292
-
-        value = 0.0_dp
-        if (power >= their_power) then
-            if (int(figures, i128)*10_i128**int(power - their_power, i128) > largest_figures) return
-        end if
-        write (field, '(i0,a,i0)') figures, 'e', power
-        read (field, *, iostat=status) value
-        if (status /= 0) value = 0.0_dp
-    end function read_back
-
-    !> Figures and a power of ten as text: plain where that is short, else with an `e`.
-    pure function written(figures, power) result(text)
+    !> Writes figures and a power of ten: plain where that is short, else with an `e`.
+    pure subroutine put_figures(figures, power, line, next)
         integer(i64), intent(in) :: figures !! positive whole number
         integer, intent(in) :: power        !! power of ten
-        character(:), allocatable :: text
-        character(24) :: field
-        integer :: count, point
+        character(*), intent(inout) :: line !! gets the text
+        integer, intent(inout) :: next      !! the first column; behind the last on return
+        character(17) :: digits
+        integer :: count, point, i
 
-        write (field, '(i0)') figures
-        count = len_trim(field)
+        count = 1
+        call put_whole(figures, digits, count)
+        count = count - 1
         point = count + power
         if (point > 16 .or. point < -4) then
-            text = field(1:1)
-            if (count > 1) text = text//'.'//field(2:count)
-            write (field, '(sp,i0.2)') point - 1
-            text = text//'e'//trim(field)
+            call put_text(digits(:1), line, next)
+            if (count > 1) call put_text('.'//digits(2:count), line, next)
+            call put_power('e', point - 1, line, next)
         else if (power >= 0) then
-            text = trim(field)//row_of('0', power)
+            call put_text(digits(:count), line, next)
+            do i = 1, power
+                call put_text('0', line, next)
+            end do
         else if (point > 0) then
-            text = field(:point)//'.'//field(point + 1:count)
+            call put_text(digits(:point), line, next)
+            call put_text('.', line, next)
+            call put_text(digits(point + 1:count), line, next)
         else
-            text = '0.'//row_of('0', -point)//trim(field)
+            call put_text('0.', line, next)
+            do i = 1, -point
+                call put_text('0', line, next)
+            end do
+            call put_text(digits(:count), line, next)
         end if
-    end function written
+    end subroutine put_figures
 
 end module base_digits
