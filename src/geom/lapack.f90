@@ -2,7 +2,8 @@
 !>
 !> Source: E. Anderson et al., "LAPACK Users' Guide", 3rd ed., SIAM 1999, DGESVX: equilibration,
 !> elimination with pivoting, iterative refinement, estimate of the condition; DGBSV: elimination
-!> with pivoting in a band; ZPBSV: Cholesky's factors of a Hermitian band.
+!> with pivoting in a band; ZPBSV: Cholesky's factors of a Hermitian band; DGELSY: orthogonal
+!> factors with pivoting, of which only those that count are kept.
 module geom_lapack
     use base_error, only: cause, error_type, fail
     use base_kinds, only: dp
@@ -10,7 +11,7 @@ module geom_lapack
     implicit none (type, external)
     private
 
-    public :: solve, solve_banded, solve_hermitian
+    public :: solve, solve_banded, solve_hermitian, solve_least_squares
 
     interface
         !> LAPACK's expert driver for a general system; names and meanings are LAPACK's.
@@ -72,6 +73,25 @@ module geom_lapack
             complex(dp), intent(inout) :: b(ldb, *)   !! right-hand sides, then solutions
             integer, intent(out) :: info              !! 0; 1 to n: not positive definite
         end subroutine zpbsv
+
+        !> LAPACK's least squares of any rank; names and meanings are LAPACK's.
+        pure subroutine dgelsy(m, n, nrhs, a, lda, b, ldb, jpvt, rcond, rank, work, lwork, info)
+            import :: dp
+            implicit none (type, external)
+            integer, intent(in) :: m                  !! equations
+            integer, intent(in) :: n                  !! unknowns
+            integer, intent(in) :: nrhs               !! right-hand sides
+            integer, intent(in) :: lda                !! leading dimension of a
+            integer, intent(in) :: ldb                !! leading dimension of b
+            real(dp), intent(inout) :: a(lda, *)      !! matrix, then its factors
+            real(dp), intent(inout) :: b(ldb, *)      !! right-hand sides, then solutions
+            integer, intent(inout) :: jpvt(*)         !! columns to stay in front, then their order
+            real(dp), intent(in) :: rcond             !! condition that is still kept
+            integer, intent(out) :: rank              !! unknowns that the equations fix
+            real(dp), intent(inout) :: work(*)        !! see its source
+            integer, intent(in) :: lwork              !! size of work
+            integer, intent(out) :: info              !! 0
+        end subroutine dgelsy
     end interface
 
 contains
@@ -154,5 +174,26 @@ contains
         call fail(error, cause%singular, 'the Hermitian system of '//to_text(n)// &
             ' equations is not positive definite')
     end subroutine solve_hermitian
+
+    !> The x of least length for which the sum of squares of `a x - b` is least.
+    pure subroutine solve_least_squares(a, b, x)
+        real(dp), intent(in) :: a(:, :) !! matrix, shape (m, n); of any m and rank
+        real(dp), intent(in) :: b(:)    !! right-hand side, shape (m)
+        real(dp), intent(out) :: x(:)   !! see above, shape (n)
+        real(dp), parameter :: kept = 1.0e-12_dp
+        real(dp) :: matrix(size(b), size(x)), sides(max(size(b), size(x)), 1)
+        real(dp) :: work(4*size(x) + size(b) + 8)
+        integer :: order(size(x)), rank, info
+
+        x = 0.0_dp
+        if (size(b) == 0 .or. size(x) == 0) return
+        matrix = a
+        sides = 0.0_dp
+        sides(:size(b), 1) = b
+        order = 0
+        call dgelsy(size(b), size(x), 1, matrix, size(b), sides, size(sides), order, kept, rank, &
+            work, size(work), info)
+        if (info == 0) x = sides(:size(x), 1)
+    end subroutine solve_least_squares
 
 end module geom_lapack

@@ -2,7 +2,7 @@
 program test_lapack
     use base_error, only: cause, error_type
     use base_kinds, only: dp
-    use geom_lapack, only: solve, solve_banded, solve_hermitian
+    use geom_lapack, only: solve, solve_banded, solve_hermitian, solve_least_squares
     use support_tap, only: tap_type
     implicit none (type, external)
 
@@ -71,6 +71,15 @@ program test_lapack
     call solve_hermitian(hermitian, z, error)
     call tap%ok(allocated(error), 'one that is not positive definite is refused')
     call tap%ok(error%cause == cause%singular, '... as singular')
+    ! y = a + b t nearest to 1, 3, 4 at t = 0, 1, 2: a = 7/6, b = 3/2.
+    call solve_least_squares(reshape([1.0_dp, 1.0_dp, 1.0_dp, 0.0_dp, 1.0_dp, 2.0_dp], [3, 2]), &
+        [1.0_dp, 3.0_dp, 4.0_dp], x)
+    call tap%near(maxval(abs(x - [7.0_dp/6.0_dp, 1.5_dp])), 0.0_dp, 1.0e-14_dp, &
+        'the straight line nearest to three points is the one worked by hand')
+    call solve_least_squares(reshape([1.0_dp, 2.0_dp, 1.0_dp, 2.0_dp], [2, 2]), &
+        [2.0_dp, 4.0_dp], x)
+    call tap%near(maxval(abs(x - 1.0_dp)), 0.0_dp, 1.0e-14_dp, &
+        'of many solutions the shortest is given')
     call tap%finish()
 
 contains
