@@ -13,7 +13,8 @@ MODE := $(if $(DEBUG),debug,release)
 FLAGS.release := -O2 -g -ffp-contract=off
 FLAGS.debug   := -O0 -g -fcheck=all,no-array-temps -ffpe-trap=invalid,zero,overflow -fbacktrace
 FLAGS.lint    := -O0 -Wall -Wextra -pedantic -Wimplicit-interface -Wconversion-extra -Werror
-FFLAGS        := -std=f2018 -fopenmp $(FLAGS.$(MODE))
+# Objects go into program and library alike, so all are position independent.
+FFLAGS        := -std=f2018 -fopenmp -fPIC -fno-semantic-interposition $(FLAGS.$(MODE))
 
 ifeq ($(shell uname),Darwin)
 LDFLAGS += -L$(shell brew --prefix lapack 2>/dev/null)/lib
@@ -21,6 +22,11 @@ endif
 
 B    := $(BUILD)/$(MODE)
 LOFT := $(if $(filter release,$(MODE)),$(BUILD),$(B))/loft
+
+# The library: its interface, which is the number of the shared one, and its files.
+ABI     := $(shell $(AWK) '$$2 == "LOFT_ABI_VERSION" { print $$3 }' src/api/loft.h)
+VERSION := $(shell sed -n "s/.*version = '\(.*\)'/\1/p" src/base/constants.f90)
+LIBLOFT := $(B)/libloft.a $(if $(filter Darwin,$(shell uname)),,$(B)/libloft.so.$(ABI))
 
 SOURCES := $(sort $(shell find src tests -name '*.f90'))
 OBJECTS := $(SOURCES:%.f90=$(B)/%.o)
@@ -42,7 +48,7 @@ PLOTS  := $(BUILD)/plots
 MAKEFLAGS += --no-print-directory
 
 .DELETE_ON_ERROR:
-.PHONY: all debug programs objects deps deps-test demo check test lint golden book plot pictures bench graph install clean help
+.PHONY: all debug programs library objects deps deps-test demo check test lint golden book plot pictures bench graph install uninstall clean help
 
 all: $(LOFT)                        ## builds build/loft (DEBUG=1: build/debug/loft)
 	@:
@@ -53,7 +59,7 @@ debug:                              ## builds build/debug/loft, which checks all
 # --- compiling and linking ----------------------------------------------------------------------
 
 # The rules `object: objects of the modules it uses` and `program: objects it needs`.
-$(shell mkdir -p $(B)/mod && $(AWK) -v objects=$(B) -v loft=$(LOFT) \
+$(shell mkdir -p $(B)/mod && $(AWK) -v objects=$(B) -v loft=$(LOFT) -v library=$(B)/libloft.o \
     -f tests/make/modules.awk -f tests/make/order.awk $(SOURCES) > $(B)/order.mk)
 include $(B)/order.mk
 
@@ -70,9 +76,27 @@ $(LOFT) $(TESTS:%.f90=$(B)/%):
 	@echo "$(MODE): $@"
 	@$(FC) $(FFLAGS) $(filter %.o,$^) $(LDFLAGS) $(LIBS) -o $@
 
+# One object, in which all names but those of the faces are local; both libraries are made of it.
+$(B)/libloft.o: src/api/libloft.map
+	@echo "$(MODE): $@"
+	@ld -r $(filter %.o,$^) -o $@
+	@! command -v objcopy > /dev/null || objcopy --wildcard \
+	    --keep-global-symbol='loft_*' --keep-global-symbol='__api_loft_MOD_*' $@
+
+$(B)/libloft.a: $(B)/libloft.o
+	@rm -f $@
+	@ar rcs $@ $<
+
+$(B)/libloft.so.$(ABI): $(B)/libloft.o
+	@echo "$(MODE): $@"
+	@$(FC) -shared -fopenmp -Wl,-soname,$(@F) -Wl,--version-script=src/api/libloft.map -Wl,-z,defs \
+	    $< $(LDFLAGS) $(LIBS) -o $@
+
 objects: $(OBJECTS)
 	@:
 programs: $(LOFT) $(TESTS:%.f90=$(B)/%)
+	@:
+library: $(LIBLOFT)                 ## builds libloft.a and libloft.so
 	@:
 
 # --- set-up and show ----------------------------------------------------------------------------
@@ -137,10 +161,10 @@ check: deps                         ## sets up, builds, lints and runs all tests
 	@$(MAKE) MODE=debug test
 
 # Whole-program tests (tests/*.t) find the program and the tree by LOFT and ROOT.
-test: $(LOFT) $(CHECKS) $(BOOK)     ## runs all tests of one build
+test: $(LOFT) $(LIBLOFT) $(CHECKS) $(BOOK) ## runs all tests of one build
 	$(if $(CHECKS),,$(error there are no test programs))
 	@echo "== tests of the $(MODE) build"
-	@LOFT=$(abspath $(LOFT)) ROOT=$(CURDIR) JUDGES=$(abspath $(JUDGES)) \
+	@LOFT=$(abspath $(LOFT)) ROOT=$(CURDIR) JUDGES=$(abspath $(JUDGES)) MODE=$(MODE) \
 	    prove --jobs $(JOBS) --failures --comments --exec '' \
 	    $(CHECKS) $(filter-out $(UNJUDGED),$(SCRIPTS))
 	@[ -x $(JUDGES)/bin/python ] || [ $(MODE) != release ] || \
@@ -164,17 +188,36 @@ graph:                              ## draws the modules (build/graph.svg, doc/a
 
 # --- installing and cleaning --------------------------------------------------------------------
 
-SHARE = $(DESTDIR)$(PREFIX)/share
+SHARE    = $(DESTDIR)$(PREFIX)/share
+LIB      = $(DESTDIR)$(PREFIX)/lib
+INCLUDE  = $(DESTDIR)$(PREFIX)/include
+# Module files are the compiler's own.
+COMPILER = gfortran-$(firstword $(subst ., ,$(shell $(FC) -dumpversion)))
 
-install: $(LOFT)                    ## installs below PREFIX (DESTDIR is put before it)
+install: $(LOFT) $(LIBLOFT)         ## installs below PREFIX (DESTDIR is put before it)
 	install -d $(DESTDIR)$(PREFIX)/bin $(SHARE)/man/man1 $(SHARE)/loft/plot $(SHARE)/loft/cards \
-	    $(SHARE)/doc/loft/doc
+	    $(SHARE)/doc/loft/doc/examples $(LIB)/pkgconfig $(INCLUDE)/loft/$(COMPILER)
 	install -m 755 $(LOFT) $(DESTDIR)$(PREFIX)/bin
 	install -m 644 doc/loft.1 $(SHARE)/man/man1
 	install -m 644 $(filter-out plot/bench_%,$(wildcard plot/*.gp)) $(SHARE)/loft/plot
 	install -m 644 $(wildcard cards/*) $(SHARE)/loft/cards
 	install -m 644 $(wildcard *.md) LICENSE $(SHARE)/doc/loft
 	install -m 644 $(wildcard doc/*.md doc/*.svg doc/*.png) $(SHARE)/doc/loft/doc
+	install -m 644 $(wildcard doc/examples/*) $(SHARE)/doc/loft/doc/examples
+	install -m 644 $(LIBLOFT) $(LIB)
+	for so in $(notdir $(filter %.so.$(ABI),$(LIBLOFT))); do ln -sf $$so $(LIB)/libloft.so; done
+	install -m 644 src/api/loft.h $(INCLUDE)
+	install -m 644 $(B)/mod/api_loft.mod $(INCLUDE)/loft/$(COMPILER)
+	sed -e 's|@PREFIX@|$(abspath $(PREFIX))|' -e 's|@COMPILER@|$(COMPILER)|' \
+	    -e 's|@VERSION@|$(VERSION)|' src/api/loft.pc.in > $(LIB)/pkgconfig/loft.pc
+
+# What `install` would install, into a folder that goes again, is what there is to remove.
+uninstall: $(LOFT) $(LIBLOFT)       ## removes what `make install` put below PREFIX
+	@folder=$$(mktemp -d) && $(MAKE) install DESTDIR=$$folder > $$folder/log && \
+	cd $$folder$(PREFIX) && \
+	find . ! -type d | (cd $(DESTDIR)$(PREFIX) && xargs rm -f) && \
+	find . -depth -type d -path '*/loft*' | (cd $(DESTDIR)$(PREFIX) && xargs rmdir 2> /dev/null); \
+	rm -rf $$folder
 
 clean:                              ## removes build/
 	rm -rf $(BUILD)

@@ -1,14 +1,13 @@
 !> `loft check`: reads decks, prints every diagnostic, and nothing else.
 module app_check
     use api_computed_body, only: computed_body_type, judge_body
+    use api_deck, only: judge_conic
     use app_input, only: close_input, deck_input_type, open_input
     use app_options, only: argument_type
     use app_status, only: status
     use base_error, only: error_type
     use base_fault, only: fault_list_type
     use base_output, only: output_type
-    use body_card_arc, only: arc_of_card
-    use body_card_tables, only: card_table_type, tables_of_card
     use deck_conic_card, only: conic_card_type
     use deck_conic_deck, only: conic_deck_type, found
     use deck_job, only: job_type
@@ -79,13 +78,15 @@ contains
         type(error_type), allocatable, intent(out) :: error !! see above
         type(conic_deck_type) :: deck
         type(conic_card_type) :: card
+        type(arc_type) :: arc
+        logical :: has_arc
         integer :: outcome
 
         deck%heading = input%opening%heading
         do
             call deck%next(input%source, card, outcome, faults, error)
             if (allocated(error) .or. outcome == found%finished) return
-            call check_conic(card, faults)
+            call judge_conic(card, arc, has_arc, faults)
             call report(input%name, faults, is_faulty, messages)
         end do
     end subroutine check_conics
@@ -120,18 +121,5 @@ contains
         is_faulty = is_faulty .or. faults%has_errors(0)
         call faults%clear()
     end subroutine report
-
-    !> Looks whether a card would run.
-    subroutine check_conic(card, faults)
-        type(conic_card_type), intent(in) :: card       !! the card
-        type(fault_list_type), intent(inout) :: faults  !! what is wrong is added
-        type(card_table_type), allocatable :: tables(:)
-        type(arc_type) :: arc
-        logical :: has_arc
-
-        if (.not. card%is_readable .or. card%has_coinciding_points()) return
-        call arc_of_card(card, arc, has_arc, faults)
-        if (has_arc) call tables_of_card(card, arc, tables, faults)
-    end subroutine check_conic
 
 end module app_check

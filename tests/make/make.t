@@ -14,7 +14,7 @@ printf 'program loft\n  USE geom_arc, only: x\n  use_of = 1\n' > src/app/main.f9
 printf 'program test_arc\n use geom_arc, only: x\n' > tests/geom/test_arc.f90
 
 order() {
-    awk -v objects=o -v loft=bin/loft -f "$scripts/modules.awk" -f "$scripts/order.awk" \
+    awk -v objects=o -v loft=bin/loft -v library=lib.o -f "$scripts/modules.awk" -f "$scripts/order.awk" \
         $(find src tests -name '*.f90' | sort) | sort
 }
 picture() {
@@ -34,6 +34,15 @@ o/tests/geom/test_arc: o/tests/geom/test_arc.o'
 want=$(echo "$want" | sort)
 [ "$(order)" = "$want" ]
 ok $? 'objects wait for what they use, programs are linked from what they need' "$(order)"
+
+mkdir src/api
+printf 'module api_loft\n use geom_arc, only: x\n' > src/api/loft.f90
+printf 'module api_c_deck\n use api_loft, only: x\n' > src/api/c_deck.f90
+printf 'module api_inner\n use deck_card, only: x\n' > src/api/inner.f90
+[ "$(order | sed -n 's/^lib.o: //p' | sort -u | tr '\n' ' ')" = \
+    'o/src/api/c_deck.o o/src/api/loft.o o/src/base/kinds.o o/src/geom/arc.o ' ]
+ok $? 'the library is made of its faces and what they need' "$(order)"
+rm -r src/api
 
 picture | grep -q 'geom_arc \[label="arc\\n3"\]'
 ok $? 'a box has the name and the lines of its module'

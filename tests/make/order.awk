@@ -1,6 +1,8 @@
 # The order of compilation, as rules for make: an object waits for the objects of the modules its
-# `use` lines name; a program is linked from the objects it needs and no others.
-#     awk -v objects=build/release -v loft=build/loft -f modules.awk -f order.awk FILE...
+# `use` lines name; a program is linked from the objects it needs and no others, and so is the library,
+# which is made of its faces for Fortran and C.
+#     awk -v objects=build/release -v loft=build/loft -v library=build/release/libloft.o \
+#         -f modules.awk -f order.awk FILE...
 
 # A file without its ending; a module that is not in the tree gets a name that make can't make.
 function stem_of(module,    file) {
@@ -20,10 +22,12 @@ END {
     for (module in path) {
         n = split(uses[module], name)
         for (i = 1; i <= n; i++) print object_of(module) ": " object_of(name[i])
-        if (!(module in is_program)) continue
+        if (module ~ /^api_(loft|c_.*)$/) whole = library
+        else if (module in is_program) whole = program_of(module)
+        else continue
         split("", needs)
         mark_needs(module, needs)
-        print program_of(module) ": " object_of(module)
-        for (need in needs) print program_of(module) ": " object_of(need)
+        print whole ": " object_of(module)
+        for (need in needs) print whole ": " object_of(need)
     }
 }

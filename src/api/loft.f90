@@ -1,0 +1,244 @@
+!> LOFT as a library for Fortran: load a deck, look at its faults, cut it, measure it, evaluate its
+!> conics. This module is all that a program need use; `loft.h` is the same for C.
+!>
+!>     use api_loft, only: at_station, cut_deck, cut_type, deck_type, error_type, load_deck
+!>     type(deck_type) :: deck
+!>     type(cut_type) :: cut
+!>     type(error_type), allocatable :: error
+!>
+!>     call load_deck('cards/nose.crd', deck, error)
+!>     if (.not. allocated(error)) call cut_deck(deck, at_station(20.0d0), cut, error)
+!>     if (allocated(error)) error stop error%message
+!>     print *, cut%points(1)%at
+!>
+!> A deck is plain data and owns all it holds: it is copied by assignment, freed when it goes out of
+!> scope, and does not change once it is loaded, so that threads may share it. Nothing is kept
+!> between calls; nothing prints or stops.
+!>
+!> GNU Fortran keeps the length of a function's text, where it is not known before, in a place that
+!> all threads share (seen in version 12). So only one thread at a time is let into the procedures
+!> that make texts: all that fail. The others wait.
+module api_loft
+    use api_cut, only: asked_type, cut_asked, cut_listed, cut_type, find_body, point_type
+    use api_deck, only: conic_type, deck_type, read_deck
+    use api_deck_file, only: deck_file_type
+    use base_constants, only: version
+    use base_error, only: cause, error_type, fail
+    use base_exact, only: is_finite
+    use base_fault, only: fault_list_type, fault_type, severity
+    use base_kinds, only: dp
+    use base_text, only: to_text
+    use body_card_tables, only: card_table_type, tables_of_card
+    use cut_measure, only: measure_section, section_measure_type
+    use cut_measure_body, only: body_measure_type, measure_body
+    use cut_plane, only: cut_kind
+    use cut_request, only: cut_rule
+    use deck_source, only: source_type
+    use geom_contour, only: row_type => contour_point_type
+    implicit none (type, external)
+    private
+
+    public :: deck_type, load_deck, parse_deck, has_errors
+    public :: asked_type, at_station, at_buttock, at_waterline, at_plane, cut_kind, cut_rule
+    public :: cut_type, point_type, cut_deck, listed_cut
+    public :: body_measure_type, section_measure_type, measure_deck, measure_station
+    public :: row_type, conic_table
+    public :: error_type, cause, fault_type, severity, loft_version
+
+contains
+
+    !> Loads a deck from a file. Faults of its cards are in `deck%faults%item(:deck%faults%count)`;
+    !> what is sound is there.
+    !>
+    !> Fails with `cause%file_trouble` and the system's words where the file can't be read.
+    subroutine load_deck(path, deck, error)
+        character(*), intent(in) :: path                    !! as it is: trim it where it is padded
+        type(deck_type), intent(out) :: deck                !! the deck
+        type(error_type), allocatable, intent(out) :: error !! see above
+
+        !$omp critical (loft)
+        call read_file(path, deck, error)
+        !$omp end critical (loft)
+    end subroutine load_deck
+
+    !> Reads a deck from a file. Fails as `load_deck`.
+    subroutine read_file(path, deck, error)
+        character(*), intent(in) :: path                    !! as it is
+        type(deck_type), intent(out) :: deck                !! the deck
+        type(error_type), allocatable, intent(out) :: error !! see above
+        type(deck_file_type) :: file
+        type(source_type) :: source
+        character(:), allocatable :: name
+
+        name = path
+        if (name == '-') name = './-'
+        call file%open(name, source, error)
+        if (allocated(error)) return
+        call read_deck(source, deck, error)
+        call file%close()
+        if (allocated(error)) error%message = path//': '//error%message
+    end subroutine read_file
+
+    !> Loads a deck from a text in memory, lines with line feeds between them.
+    subroutine parse_deck(text, deck)
+        character(*), intent(in) :: text        !! the deck
+        type(deck_type), intent(out) :: deck    !! the same, read
+        type(source_type) :: source
+        type(error_type), allocatable :: none
+
+        call source%from_text(text)
+        !$omp critical (loft)
+        call read_deck(source, deck, none)
+        !$omp end critical (loft)
+    end subroutine parse_deck
+
+    !> True where a card of a deck is in error, not merely warned of.
+    pure logical function has_errors(deck)
+        type(deck_type), intent(in) :: deck !! loaded
+        has_errors = deck%faults%has_errors(0)
+    end function has_errors
+
+    !> The cut at a station. Body and spread of points may be set in what is asked, as in all of
+    !> these.
+    pure type(asked_type) function at_station(sta) result(asked)
+        real(dp), intent(in) :: sta !! deck units
+        asked%kind = cut_kind%station
+        asked%point(1) = sta
+    end function at_station
+
+    !> The cut along a butt line.
+    pure type(asked_type) function at_buttock(bl) result(asked)
+        real(dp), intent(in) :: bl !! deck units, positive to starboard
+        asked%kind = cut_kind%buttock
+        asked%point(2) = bl
+    end function at_buttock
+
+    !> The cut along a waterline.
+    pure type(asked_type) function at_waterline(wl) result(asked)
+        real(dp), intent(in) :: wl !! deck units
+        asked%kind = cut_kind%waterline
+        asked%point(3) = wl
+    end function at_waterline
+
+    !> The cut by any plane.
+    pure type(asked_type) function at_plane(point, normal) result(asked)
+        real(dp), intent(in) :: point(3)    !! STA, BL, WL of a point of it, deck units
+        real(dp), intent(in) :: normal(3)   !! across it, any length
+        asked%kind = cut_kind%plane
+        asked%point = point
+        asked%normal = normal
+    end function at_plane
+
+    !> Cuts a body of a deck. Of a symmetric body the starboard half is cut, unless the plane cuts
+    !> the halves differently: then the whole is. A plane that misses the body gives no points.
+    !>
+    !> Fails with `cause%usage` where the deck has no such body or a number can't be,
+    !> `cause%points_coincide` where the normal is zero, `cause%beyond_lines` where the body's lines
+    !> are not there, and `cause%too_many` points.
+    subroutine cut_deck(deck, asked, cut, error)
+        type(deck_type), intent(in) :: deck                 !! loaded
+        type(asked_type), intent(in) :: asked               !! where, and how points are spread
+        type(cut_type), intent(out) :: cut                  !! the points
+        type(error_type), allocatable, intent(out) :: error !! see above
+
+        !$omp critical (loft)
+        call cut_asked(deck, asked, cut, error)
+        !$omp end critical (loft)
+    end subroutine cut_deck
+
+    !> A cut that the deck itself asks for: one of `deck%cuts`, as `loft run --format csv` counts.
+    !>
+    !> Fails with `cause%usage` where there is no such cut.
+    subroutine listed_cut(deck, number, cut, error)
+        type(deck_type), intent(in) :: deck                 !! loaded
+        integer, intent(in) :: number                       !! from 1
+        type(cut_type), intent(out) :: cut                  !! the points
+        type(error_type), allocatable, intent(out) :: error !! see above
+
+        !$omp critical (loft)
+        call cut_listed(deck, number, cut, error)
+        !$omp end critical (loft)
+    end subroutine listed_cut
+
+    !> Volume, centroid and wetted area of a body, of both halves where it is symmetric.
+    !>
+    !> Fails with `cause%usage` where the deck has no such body.
+    subroutine measure_deck(deck, body, measure, error)
+        type(deck_type), intent(in) :: deck                 !! loaded
+        integer, intent(in) :: body                         !! which body, from 1
+        type(body_measure_type), intent(out) :: measure     !! what does not exist is marked absent
+        type(error_type), allocatable, intent(out) :: error !! see above
+        real(dp), allocatable :: stations(:)
+
+        allocate (stations(0))
+        !$omp critical (loft)
+        call find_body(deck, body, error)
+        if (.not. allocated(error)) &
+            call measure_body(deck%bodies(body)%body, stations, measure)
+        !$omp end critical (loft)
+    end subroutine measure_deck
+
+    !> Girth, area, centroid and second moments of the section of a body at a station.
+    !>
+    !> Fails with `cause%usage` where the deck has no such body, or the station is no number.
+    subroutine measure_station(deck, body, sta, measure, error)
+        type(deck_type), intent(in) :: deck                 !! loaded
+        integer, intent(in) :: body                         !! which body, from 1
+        real(dp), intent(in) :: sta                         !! deck units
+        type(section_measure_type), intent(out) :: measure  !! what does not exist is marked absent
+        type(error_type), allocatable, intent(out) :: error !! see above
+
+        !$omp critical (loft)
+        call find_body(deck, body, error)
+        if (.not. is_finite(sta)) &
+            call fail(error, cause%usage, 'the station is infinite or no number')
+        if (.not. allocated(error)) &
+            call measure_section(deck%bodies(body)%body, sta, measure)
+        !$omp end critical (loft)
+    end subroutine measure_station
+
+    !> The table of a conic card of a 1970 deck by steps of an axis, from point 1 to point 3. No
+    !> rows where the card asks for none, or has no arc: why is among the faults of the deck.
+    !>
+    !> Fails with `cause%usage` where the deck has no such card.
+    subroutine conic_table(deck, card, axis, rows, error)
+        type(deck_type), intent(in) :: deck                     !! loaded
+        integer, intent(in) :: card                             !! which conic card, from 1
+        integer, intent(in) :: axis                             !! 1: by steps of X, 2: of Y
+        type(row_type), allocatable, intent(out) :: rows(:)     !! x, y, slope, curvature
+        type(error_type), allocatable, intent(out) :: error     !! see above
+
+        allocate (rows(0))
+        !$omp critical (loft)
+        if (card < 1 .or. card > size(deck%conics)) then
+            call fail(error, cause%usage, 'the deck has no conic card '//to_text(card)// &
+                '; it has '//to_text(size(deck%conics)))
+        else if (deck%conics(card)%has_arc .and. deck%conics(card)%card%is_whole) then
+            call make_table(deck%conics(card), axis, rows)
+        end if
+        !$omp end critical (loft)
+    end subroutine conic_table
+
+    !> The table of a conic by steps of an axis; no rows where its card asks for none.
+    subroutine make_table(conic, axis, rows)
+        type(conic_type), intent(in) :: conic                   !! has its arc
+        integer, intent(in) :: axis                             !! 1: by steps of X, 2: of Y
+        type(row_type), allocatable, intent(inout) :: rows(:)   !! gets them
+        type(card_table_type), allocatable :: tables(:)
+        type(fault_list_type) :: known
+        integer :: i
+
+        allocate (tables(0))
+        call tables_of_card(conic%card, conic%arc, tables, known)
+        do i = 1, size(tables)
+            if (tables(i)%axis == axis) rows = tables(i)%row
+        end do
+    end subroutine make_table
+
+    !> The version of the library, as `loft --version` has it.
+    pure function loft_version() result(text)
+        character(:), allocatable :: text
+        text = version
+    end function loft_version
+
+end module api_loft
