@@ -21,6 +21,8 @@ module audit_agreement
     !> Figures further off than this, in units of the last place, are left out at once; those nearer
     !> than the second bound are tried again.
     real(dp), parameter :: far = 4.0_dp, near = 40.0_dp
+    !> Figures no further out of their bounds than this are exchanged for others.
+    real(dp), parameter :: exchangeable = 12.0_dp
     !> How far the conic may change in one programme, in coefficients of length 1.
     real(dp), parameter :: widest_step = 0.25_dp
     !> Programmes, each from where the last one ended; and what change of depth ends them.
@@ -42,7 +44,39 @@ contains
         member = chosen .and. abs(off) <= far
         call leave_out(problem, k, member, depth)
         call take_in(problem, chosen, k, member, depth)
+        call exchange(problem, chosen, k, member, depth)
     end subroutine agree
+
+    !> Exchanges a figure left out for one that contradicts it, where that lets more in.
+    pure subroutine exchange(problem, chosen, k, member, depth)
+        type(problem_type), intent(in) :: problem !! the readings
+        logical, intent(in) :: chosen(:)          !! figures that count
+        real(dp), intent(inout) :: k(6)           !! the conic
+        logical, intent(inout) :: member(:)       !! figures that agree
+        real(dp), intent(inout) :: depth          !! of the conic, in units
+        logical :: others(size(member))
+        real(dp) :: off(size(member)), excess(size(member)), tried(6), deep
+        integer :: against(most_unknowns), i, j
+
+        call measure(problem, k, off, excess)
+        do i = 1, size(member)
+            if (.not. chosen(i) .or. member(i) .or. excess(i) > exchangeable) cycle
+            call conflicts(problem, member, i, k, against)
+            do j = 1, count(against > 0)
+                if (against(j) == i) cycle
+                others = member
+                others(i) = .true.
+                others(against(j)) = .false.
+                tried = k
+                call take_in(problem, chosen .and. .not. others, tried, others, deep)
+                if (count(others) <= count(member)) cycle
+                member = others
+                k = tried
+                depth = deep
+                exit
+            end do
+        end do
+    end subroutine exchange
 
     !> How far all figures are from a conic; a figure it does not reach is very far.
     pure subroutine measure(problem, k, off, excess)
@@ -98,11 +132,13 @@ contains
         logical, intent(in) :: chosen(:)          !! figures that count
         real(dp), intent(inout) :: k(6)           !! the conic
         logical, intent(inout) :: member(:)       !! figures that agree
-        real(dp), intent(inout) :: depth          !! of the conic, in units
+        real(dp), intent(out) :: depth            !! of the conic, in units
         logical :: untried(size(member)), with(size(member))
         real(dp) :: off(size(member)), excess(size(member)), tried(6), deep
         integer :: against(most_unknowns), next
 
+        call deepen(problem, member, k, depth, against)
+        if (depth < 0.0_dp) return
         call measure(problem, k, off, excess)
         untried = chosen .and. .not. member .and. excess < near
         do while (any(untried))

@@ -6,11 +6,13 @@ module audit_audit
     use audit_card, only: card_type, make_card
     use audit_chain, only: split_line
     use audit_curve, only: quantity_type
-    use audit_figure, only: form, read_figure, scale_type
+    use audit_figure, only: form, read_figure, scale_type, unit_of
     use audit_finding, only: finding_type
     use audit_fit, only: fit_readings, fit_type
+    use audit_joint, only: find_joint
     use audit_judge, only: judge_readings
     use audit_parameter, only: bound_parameter, parameter_type
+    use audit_printing, only: printing
     use audit_reading, only: common_decimals, line_type, meaning, sort
     use audit_slip, only: slip
     use base_error, only: cause, error_type, fail
@@ -60,21 +62,83 @@ contains
         if (.not. allocated(audit%line%reading)) allocate (audit%line%reading(0))
         if (audit%scale%form == form%decimal .and. audit%scale%decimals < 0) &
             audit%scale%decimals = common_decimals(audit%line%reading)
-        call split_line(audit%line, audit%scale, chosen, audit%printing, audit%met_by)
-        if (audit%line%printing == 0) audit%line%printing = audit%printing
+        call split_line(audit%line, audit%scale, chosen)
         allocate (audit%piece(size(chosen, 2)), audit%finding(size(audit%line%reading)))
         do i = 1, size(audit%piece)
             audit%piece(i)%chosen = chosen(:, i)
-            call audit_piece(audit%line, audit%scale, audit%piece(i), audit%finding)
+            where (chosen(:, i)) audit%finding%piece = i
+        end do
+        call find_printing(audit)
+        do i = 1, size(audit%piece)
             if (audit%piece(i)%fit%met < 0) then
                 call fail(error, cause%too_few, 'the readings of '//trim(line%name)// &
                     ' are too few for a conic')
                 return
             end if
-            where (chosen(:, i)) audit%finding%piece = i
+        end do
+        call find_ends(audit)
+        do i = 1, size(audit%piece)
+            call audit_piece(audit%line, audit%scale, audit%piece(i), audit%finding)
         end do
         audit%line%printing = line%printing
     end subroutine make_audit
+
+    !> Fits all conics, and finds the way of printing that meets most readings of all of them.
+    pure subroutine find_printing(audit)
+        type(audit_type), intent(inout) :: audit !! its pieces are chosen
+        integer :: i
+
+        audit%met_by = 0
+        do i = 1, size(audit%piece)
+            call fit_readings(audit%line, audit%scale, audit%piece(i)%chosen, audit%piece(i)%fit)
+            audit%met_by = audit%met_by + audit%piece(i)%fit%met_by
+        end do
+        where (audit%met_by < 0) audit%met_by = -1
+        audit%printing = audit%line%printing
+        if (audit%printing /= printing%unknown) return
+        audit%printing = maxloc(audit%met_by, dim=1)
+        if (size(audit%piece) == 1) audit%printing = audit%piece(1)%fit%printing
+        audit%line%printing = audit%printing
+        do i = 1, size(audit%piece)
+            if (audit%piece(i)%fit%printing /= audit%printing) call fit_readings(audit%line, &
+                audit%scale, audit%piece(i)%chosen, audit%piece(i)%fit)
+        end do
+    end subroutine find_printing
+
+    !> The ends of all conics: the first and the last known abscissa, and joints between.
+    pure subroutine find_ends(audit)
+        type(audit_type), intent(inout) :: audit !! its conics are fitted
+        real(dp) :: joint, row(2)
+        integer :: i
+
+        do i = 1, size(audit%piece)
+            call find_extent(audit%line, audit%piece(i))
+        end do
+        do i = 1, size(audit%piece) - 1
+            row = [audit%piece(i)%last, audit%piece(i + 1)%first]
+            joint = find_joint(audit%piece(i)%fit, audit%piece(i + 1)%fit, row, &
+                near_to(audit%line, audit%piece(i), row(1)), unit_of(audit%scale))
+            audit%piece(i)%last = joint
+            audit%piece(i + 1)%first = joint
+        end do
+    end subroutine find_ends
+
+    !> The first and the last known abscissa of a conic.
+    pure subroutine find_extent(line, piece)
+        type(line_type), intent(in) :: line      !! the line
+        type(piece_type), intent(inout) :: piece !! one conic of it
+        logical :: counts(size(line%reading))
+        counts = piece%chosen .and. (line%reading%sort == sort%ordinate .or. &
+            line%reading%sort == sort%slope)
+        if (.not. any(counts)) return
+        piece%first = minval(line%reading%along, mask=counts)
+        piece%last = maxval(line%reading%along, mask=counts)
+        associate (first => line%reading(findloc(counts, .true., dim=1))%along)
+            if (first <= 0.5_dp*(piece%first + piece%last)) return
+        end associate
+        piece%first = maxval(line%reading%along, mask=counts)
+        piece%last = minval(line%reading%along, mask=counts)
+    end subroutine find_extent
 
     !> Audits one conic. A number known exactly that was given up, and is surely another one by a
     !> slip, is put right and the conic is sought anew.
@@ -90,8 +154,7 @@ contains
 
         mended = line
         is_mended = .false.
-        call fit_piece(mended, scale, piece, finding)
-        if (piece%fit%met < 0) return
+        call judge_piece(line, scale, piece, finding)
         do i = 1, size(piece%fit%given_up)
             if (.not. piece%fit%given_up(i)) cycle
             reading = piece%fit%problem%condition(i)%reading
@@ -104,28 +167,27 @@ contains
         end do
         if (.not. any(is_mended)) return
         kept = finding
-        call fit_piece(mended, scale, piece, finding)
+        call fit_readings(mended, scale, piece%chosen, piece%fit)
+        call judge_piece(mended, scale, piece, finding)
         where (is_mended) finding = kept
     end subroutine audit_piece
 
-    !> Fits one conic, bounds its numbers, makes its card and judges its readings.
-    pure subroutine fit_piece(line, scale, piece, finding)
+    !> Bounds the numbers of a fitted conic, makes its card and judges its readings.
+    pure subroutine judge_piece(line, scale, piece, finding)
         type(line_type), intent(in) :: line             !! the line
         type(scale_type), intent(in) :: scale           !! of its table
-        type(piece_type), intent(inout) :: piece        !! its readings are chosen
+        type(piece_type), intent(inout) :: piece        !! its conic is fitted
         type(finding_type), intent(inout) :: finding(:) !! one a reading; those chosen are filled in
-        call fit_readings(line, scale, piece%chosen, piece%fit)
-        if (piece%fit%met < 0) return
         call find_parameters(line, piece)
         call make_card(piece%fit, piece%parameter, piece%card)
         call judge_readings(line, scale, piece%chosen, piece%fit, finding)
-    end subroutine fit_piece
+    end subroutine judge_piece
 
-    !> The numbers of the card of a conic: its ends are its first and last known abscissae, its
-    !> shoulder point the exact point between them, or the middle.
+    !> The numbers of the card of a conic: its shoulder point is the exact point between its ends,
+    !> or else one in the middle of them.
     pure subroutine find_parameters(line, piece)
         type(line_type), intent(in) :: line      !! the line
-        type(piece_type), intent(inout) :: piece !! one conic of it
+        type(piece_type), intent(inout) :: piece !! one conic of it; its ends are known
         character(4), parameter :: names(5) = [character(4) :: 'Y1', 'S1', 'Y2', 'Y3', 'S3']
         integer, parameter :: sorts(5) = [sort%ordinate, sort%slope, sort%ordinate, &
             sort%ordinate, sort%slope]
@@ -133,21 +195,12 @@ contains
         real(dp) :: at(5), middle
         integer :: i
 
-        piece%first = huge(piece%first)
-        piece%last = -huge(piece%last)
-        do i = 1, size(line%reading)
-            if (.not. piece%chosen(i) .or. line%reading(i)%sort == sort%abscissa .or. &
-                line%reading(i)%sort == sort%coefficient) cycle
-            piece%first = min(piece%first, line%reading(i)%along)
-            piece%last = max(piece%last, line%reading(i)%along)
-        end do
-        if (piece%first > piece%last) return
         middle = 0.5_dp*(piece%first + piece%last)
         do i = 1, size(line%reading)
             if (.not. piece%chosen(i) .or. line%reading(i)%sort /= sort%ordinate .or. &
                 line%reading(i)%meaning /= meaning%exact) cycle
-            if (line%reading(i)%along > piece%first .and. line%reading(i)%along < piece%last) &
-                middle = line%reading(i)%along
+            if ((line%reading(i)%along - piece%first)*(piece%last - line%reading(i)%along) > &
+                0.0_dp) middle = line%reading(i)%along
         end do
         at = [piece%first, piece%first, middle, piece%last, piece%last]
         do i = 1, 5

@@ -156,6 +156,8 @@ contains
             if (reading%figure%is_sound .and. found%is_reached) found%residual = &
                 (value_of(reading%figure%units, reading%figure%scale) - found%computed)/u
             found%likely = reading%figure%text
+            found%slip = slip%none
+            found%sure = 1.0_dp
             if (is_met(which, of, fit)) return
             quantity = quantity_of(line, which, of, fit)
             if (reading%sort <= sort%abscissa) quantity%near = found%computed
