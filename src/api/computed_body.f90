@@ -1,6 +1,6 @@
 !> Everything a body deck asks of one body, computed once: printed as listing or CSV, or drawn.
 module api_computed_body
-    use api_computed_arcs, only: arcs_of_cut
+    use api_computed_arcs, only: arcs_of_cut, arcs_of_outline
     use api_requests, only: requests_of
     use api_ring_faults, only: warn_of_ring
     use base_decimal, only: to_real
@@ -11,6 +11,7 @@ module api_computed_body
     use body_body, only: body_type
     use body_build, only: build_body
     use body_build_panels, only: build_panels
+    use body_duct, only: build_ducts, duct_type
     use body_gap, only: gap_type, section_gaps
     use body_ledger, only: joint_type
     use body_outline, only: build_outlines, outline_type
@@ -19,6 +20,7 @@ module api_computed_body
     use body_ring_list, only: ring_type
     use cut_clearance, only: check_clearance, clearance_type, component_kind, component_type
     use cut_clearance_map, only: map_type, new_map
+    use cut_duct, only: duct_measure_type, measure_duct
     use cut_make, only: make_cut
     use cut_measure_body, only: body_measure_type, measure_body
     use cut_offsets, only: half_breadths, heights, offset_table_type
@@ -43,9 +45,9 @@ module api_computed_body
     !> A body and what was asked of it.
     type :: computed_body_type
         type(body_type) :: body                                     !! lines and sections
-        type(panel_type), allocatable :: panels(:)                  !! its patches
+        type(panel_type), allocatable :: panels(:)                  !! its patches, then its ducts
         character(name_length), allocatable :: sections(:)          !! names of its sections, then
-                                                                    !! of its patches
+                                                                    !! of its panels
         type(joint_type), allocatable :: joints(:)                  !! the continuity ledger
         type(ring_type) :: ring                                     !! how its sections meet
         type(cut_type), allocatable :: cuts(:)                      !! in the order of the deck
@@ -56,6 +58,9 @@ module api_computed_body
         type(body_measure_type) :: measure                          !! areas and volume
         type(clearance_type), allocatable :: clearances(:)          !! of its components
         type(outline_type), allocatable :: outlines(:)              !! its faired outlines
+        type(cut_arcs_type), allocatable :: outline_arcs(:)         !! of each of these
+        type(duct_type), allocatable :: ducts(:)                    !! its ducts
+        type(duct_measure_type), allocatable :: duct_measures(:)    !! of each of these
     end type computed_body_type
 
 contains
@@ -67,6 +72,7 @@ contains
         type(computed_body_type), intent(out) :: computed       !! what came out
         type(fault_list_type), intent(inout) :: faults          !! what is wrong is added
         real(dp), allocatable :: stations(:)
+        integer :: i
 
         call judge_body(job, number, computed, faults)
         stations = cut_at(computed%cuts, cut_kind%station, 1)
@@ -75,6 +81,10 @@ contains
         computed%half_breadths = half_breadths(computed%body, &
             cut_at(computed%cuts, cut_kind%waterline, 3), stations)
         call measure_body(computed%body, stations, computed%measure)
+        allocate (computed%duct_measures(size(computed%ducts)))
+        do i = 1, size(computed%ducts)
+            computed%duct_measures(i) = measure_duct(computed%ducts(i), stations)
+        end do
     end subroutine compute_body
 
     !> Computes all of a body that a fault can be found in: lines, sections and how they meet, cuts,
@@ -115,7 +125,12 @@ contains
         call build_outlines(job%body(number), computed%outlines, faults)
         allocate (computed%cuts(0), computed%cards(0), computed%clearances(0))
         call build_panels(job, number, computed%body, computed%panels, faults)
-        computed%sections = [computed%body%sections%name, computed%panels%name]
+        call build_ducts(job%body(number), computed%outlines, computed%ducts, faults)
+        do i = 1, size(computed%ducts)
+            computed%panels = [computed%panels, computed%ducts(i)%panel]
+        end do
+        computed%sections = [character(name_length) :: computed%body%sections%name, &
+            computed%panels%name]
         call report_gaps(job%body(number), computed%body, faults)
         if (size(computed%sections) == 0) return
         do i = 1, size(job%body(number)%cut)
@@ -174,14 +189,14 @@ contains
         end do
     end subroutine add_cuts
 
-    !> Makes the arcs of the cuts that ask for them. What is wrong is said on the card of the cut.
+    !> Makes the arcs of the cuts and outlines that ask for them. What is wrong is said on the card.
     subroutine add_arcs(asked, computed, faults)
         type(asked_body_type), intent(in) :: asked              !! as the deck has it
         type(computed_body_type), intent(inout) :: computed     !! gets the arcs
         type(fault_list_type), intent(inout) :: faults          !! what is wrong is added
         type(error_type), allocatable :: error
         character(:), allocatable :: said
-        integer :: i
+        integer :: i, k
 
         allocate (computed%arcs(size(computed%cuts)))
         said = ''
@@ -192,6 +207,13 @@ contains
             call arcs_of_cut(computed%body, computed%cuts(i), computed%arcs(i)%tables, error)
             if (allocated(error)) call say(asked%cut(computed%cards(i)), error%message, .true., &
                 said, faults)
+        end do
+        allocate (computed%outline_arcs(size(computed%outlines)))
+        do i = 1, size(computed%outlines)
+            call arcs_of_outline(computed%outlines(i), computed%outline_arcs(i)%tables, error)
+            if (.not. allocated(error)) cycle
+            k = findloc(asked%outline%name, computed%outlines(i)%name, dim=1)
+            call blame(asked%outline(k)%card, 2, error%message, faults)
         end do
     end subroutine add_arcs
 

@@ -79,7 +79,7 @@ contains
         do i = 1, size(computed%panels)
             panel = computed%panels(i)
             parts%panels = [parts%panels, panel]
-            if (.not. computed%body%is_symmetric) cycle
+            if (.not. (computed%body%is_symmetric .and. panel%has_image)) cycle
             panel = mirrored_panel(panel)
             parts%panels = [parts%panels, panel]
         end do

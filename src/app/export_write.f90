@@ -28,6 +28,7 @@ module app_export_write
     use export_settings, only: settings_type
     use export_shell, only: skin_model_type
     use export_shell_build, only: build_shell, scale_shell
+    use export_shell_duct, only: shell_of_duct
     use export_shell_merge, only: append_model
     use export_shell_patch, only: shell_of_patch
     use export_step, only: write_step
@@ -169,7 +170,11 @@ contains
             call append_model(model, skin)
         end do
         do i = 1, size(parts%panels)
-            call shell_of_patch(parts%panels(i), skin)
+            if (parts%panels(i)%is_round) then
+                call shell_of_duct(parts%panels(i), skin)
+            else
+                call shell_of_patch(parts%panels(i), skin)
+            end if
             call append_model(model, skin)
         end do
         call scale_shell(model, parts%factor)

@@ -29,6 +29,7 @@ module app_plot_body
     use export_body_gnuplot, only: print_drawing_data, print_drawing_script
     use export_body_lines, only: find_corners, lines_plan
     use export_body_view, only: view_drawing
+    use export_duct_area, only: duct_area_drawing
     use report_fault, only: print_faults
     implicit none (type, external)
     private
@@ -142,6 +143,8 @@ contains
             heading = heading//', '//trim(computed%body%name)
             mark = '-'//to_text(number)
         end if
+        call plot_ducts(deck, computed, heading, mark, folder, error)
+        if (allocated(error)) return
         if (size(computed%body%sections) == 0) then
             call plot_outlines(deck, computed%outlines, heading, folder, error)
             return
@@ -155,6 +158,25 @@ contains
         if (.not. allocated(error)) call plot_outlines(deck, computed%outlines, heading, folder, &
             error)
     end subroutine plot_one
+
+    !> Writes the area curves of ducts.
+    !>
+    !> Fails with `cause%file_trouble`.
+    subroutine plot_ducts(deck, computed, heading, mark, folder, error)
+        type(deck_type), intent(in) :: deck                 !! its unit
+        type(computed_body_type), intent(in) :: computed    !! a body with its ducts
+        character(*), intent(in) :: heading                 !! of the pictures
+        character(*), intent(in) :: mark                    !! of the body
+        type(folder_type), intent(inout) :: folder          !! gets the pictures
+        type(error_type), allocatable, intent(out) :: error !! see above
+        integer :: i
+
+        do i = 1, size(computed%ducts)
+            call write_drawing(duct_area_drawing(computed%ducts(i), computed%duct_measures(i), &
+                heading, deck%unit), 'area'//mark//'-duct-'//to_text(i), folder, error)
+            if (allocated(error)) return
+        end do
+    end subroutine plot_ducts
 
     !> Writes the pictures of faired outlines, each over its measured points.
     !>
@@ -203,7 +225,7 @@ contains
                     if (made == size(cuts)) return
                     if (.not. is_same(requests(k)%plane, cuts(made + 1)%plane)) cycle
                     made = made + 1
-                    shape = shape_of(computed%body, requests(k), cuts(made))
+                    shape = shape_of(computed, requests(k), cuts(made))
                     deck%cuts = deck%cuts + 1
                     call write_drawing(cut_drawing(cuts(made), shape, deck%cuts, &
                         computed%body%is_symmetric, heading, deck%unit), &
@@ -215,16 +237,16 @@ contains
     end subroutine plot_cuts
 
     !> A cut with points as close as the eye can tell; the cut itself where that can't be.
-    pure type(cut_type) function shape_of(body, request, cut) result(shape)
-        type(body_type), intent(in) :: body         !! finished
-        type(request_type), intent(in) :: request   !! what was asked
-        type(cut_type), intent(in) :: cut           !! what came out
+    pure type(cut_type) function shape_of(computed, request, cut) result(shape)
+        type(computed_body_type), intent(in) :: computed    !! the body
+        type(request_type), intent(in) :: request           !! what was asked
+        type(cut_type), intent(in) :: cut                   !! what came out
         type(error_type), allocatable :: error
         type(cut_type) :: none(0)
         real(dp) :: low(3), high(3)
 
-        call find_corners([body], none, low, high)
-        call make_cut(body, closely(request, maxval(high - low)), shape, error)
+        call find_corners([computed%body], none, low, high)
+        call make_cut(computed%body, closely(request, maxval(high - low)), shape, error)
         if (allocated(error)) shape = cut
     end function shape_of
 

@@ -10,7 +10,7 @@ module app_run_body
     use base_fault, only: fault_list_type
     use base_output, only: output_type
     use body_faired, only: faired_views
-    use cut_faired, only: faired_cut, points_around
+    use cut_faired, only: faired_cut, measured_cut, points_around
     use cut_outline, only: cut_type
     use deck_job, only: job_type
     use deck_job_reader, only: read_job
@@ -103,6 +103,7 @@ contains
             call listing%print_faired_lines(faired_views(job%body(i), computed%body%lines), out)
             call listing%print_body_ring(computed%body, computed%ring, out)
             call listing%print_body_patches(computed%panels, out)
+            call listing%print_body_ducts(computed%ducts, computed%duct_measures, out)
             call listing%print_offset_tables(computed%heights, computed%half_breadths, &
                 computed%sections, out)
             call listing%print_body_measures(computed%measure, out)
@@ -113,6 +114,8 @@ contains
             end do
             do k = 1, size(computed%outlines)
                 call listing%print_body_outline(computed%outlines(k), out)
+                call listing%print_body_arcs(measured_cut(computed%outlines(k)), &
+                    computed%outline_arcs(k)%tables, out)
             end do
         end do
     end subroutine print_listing

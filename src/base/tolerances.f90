@@ -55,5 +55,8 @@ module base_tolerances
     real(dp), parameter, public :: panel_tolerance = 1.0e-9_dp
     !> How near the curves of cuts on panels are to them in drawings. Relative to the panel.
     real(dp), parameter, public :: panel_curve_tolerance = 1.0e-8_dp
+    !> A curvature below this part of 1 over the length of a panel is rounding: over the whole panel
+    !> it bends by less than an atom.
+    real(dp), parameter, public :: straight_curvature = 1.0e-11_dp
 
 end module base_tolerances

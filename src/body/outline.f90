@@ -1,5 +1,5 @@
 !> Faired outlines: closed curves at a station near measured points, with a prescribed area where
-!> one is asked for. They stand by themselves: no section of the body knows them.
+!> one is asked for. No section of the body knows them; a duct may go through them.
 module body_outline
     use base_decimal, only: to_real
     use base_error, only: cause, error_type
@@ -14,7 +14,7 @@ module body_outline
     implicit none (type, external)
     private
 
-    public :: outline_type, build_outlines
+    public :: outline_type, build_outlines, find_outline
 
     !> An outline.
     type :: outline_type
@@ -23,6 +23,8 @@ module body_outline
         type(fairing_data_type) :: measured     !! its points (BL, WL) and their weights
         logical :: has_area = .false.           !! its area was asked for
         real(dp) :: area = 0.0_dp               !! that area, deck units squared
+        real(dp) :: arcs = 0.0_dp               !! tolerance of circular arcs in its place, deck
+                                                !! units; 0: not asked
         type(fairing_type) :: fairing           !! the outline; its area is below zero where it runs
                                                 !! clockwise with BL to the right, WL upwards
     end type outline_type
@@ -57,6 +59,15 @@ contains
         end do
     end subroutine build_outlines
 
+    !> Which outline has a name; 0 where none has: it could not be faired.
+    pure integer function find_outline(list, name) result(number)
+        type(outline_type), intent(in) :: list(:)   !! of a body
+        character(*), intent(in) :: name            !! in capitals
+        do number = size(list), 1, -1
+            if (list(number)%name == name) return
+        end do
+    end function find_outline
+
     !> True where the last point is the first one.
     pure logical function comes_back(asked)
         type(asked_outline_type), intent(in) :: asked !! as the deck has it
@@ -78,6 +89,7 @@ contains
         item%sta = to_real(asked%sta)
         item%has_area = asked%has_area
         item%area = to_real(asked%area)
+        item%arcs = to_real(asked%arcs)
         item%measured%ends = fairing_end%closed
         item%measured%beta = to_real(asked%beta)
         item%measured%point = points_of(asked%piece)

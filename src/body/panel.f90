@@ -1,6 +1,8 @@
-!> A panel: the surface of a PATCH card, a Coons patch between parts of control lines and arcs of
-!> sections. The sides are splines of degree 5 within `panel_tolerance` of the curves; the surface
-!> is the patch between these, exactly.
+!> A panel: the surface of a PATCH or a DUCT card.
+!>
+!> A patch is a Coons patch between parts of control lines and arcs of sections. The sides are
+!> splines of degree 5 within `panel_tolerance` of the curves; the surface is the patch between
+!> these, exactly. A duct is made by `body_duct`.
 module body_panel
     use base_error, only: cause, error_type, fail
     use base_kinds, only: dp
@@ -24,6 +26,9 @@ module body_panel
         type(bspline_surface_type) :: surface   !! over 0 to 1; side 1 is v = 0, side 2 is u = 1
         real(dp) :: outward = 1.0_dp            !! dS/du x dS/dv points outward (1) or inward (-1)
         integer :: point = 0                    !! which side is a point; 0: none
+        logical :: is_round = .false.           !! of a duct: where u ends it goes on smoothly where
+                                                !! u begins
+        logical :: has_image = .true.           !! in a symmetric body it has a mirror image
         real(dp) :: error = 0.0_dp              !! largest distance of an edge from its side
         real(dp) :: worst(3) = 0.0_dp           !! where
     end type panel_type

@@ -15,7 +15,7 @@ module cut_faired
     implicit none (type, external)
     private
 
-    public :: faired_cut, measured_cut, outline_length
+    public :: faired_cut, measured_cut, ring_length
 
     !> Points of an outline in tables, at equal length.
     integer, parameter, public :: points_around = 36
@@ -40,7 +40,7 @@ contains
 
         call begin_cut(outline, number, cut)
         allocate (strokes(0))
-        strokes = strokes_of(outline)
+        strokes = strokes_of(outline%fairing%vertex)
         call measure(strokes, length, error)
         if (allocated(error)) return
         k = 1
@@ -56,17 +56,17 @@ contains
         end do
     end subroutine faired_cut
 
-    !> The length of an outline, deck units.
+    !> The length of a closed uniform cubic B-spline, deck units.
     !>
     !> Fails with `cause%no_convergence`, from quadrature.
-    pure subroutine outline_length(outline, length, error)
-        type(outline_type), intent(in) :: outline           !! faired
+    pure subroutine ring_length(vertex, length, error)
+        real(dp), intent(in) :: vertex(:, :)                !! deck units, shape (2, vertices)
         real(dp), intent(out) :: length                     !! deck units
         type(error_type), allocatable, intent(out) :: error !! see above
         real(dp), allocatable :: lengths(:)
-        call measure(strokes_of(outline), lengths, error)
+        call measure(strokes_of(vertex), lengths, error)
         length = sum(lengths)
-    end subroutine outline_length
+    end subroutine ring_length
 
     !> The measured points as a cut: for pictures.
     pure function measured_cut(outline) result(cut)
@@ -94,6 +94,7 @@ contains
 
         cut%plane = station_plane(outline%sta)
         cut%name = outline%name
+        cut%arcs = outline%arcs
         closed%is_closed = .true.
         allocate (closed%pieces(0), closed%points(number))
         allocate (cut%outlines(1), source=closed)
@@ -101,14 +102,14 @@ contains
         allocate (cut%notes, source=none)
     end subroutine begin_cut
 
-    !> The segments of an outline.
-    pure function strokes_of(outline) result(strokes)
-        type(outline_type), intent(in) :: outline !! faired
+    !> The segments of a closed uniform cubic B-spline.
+    pure function strokes_of(vertex) result(strokes)
+        real(dp), intent(in) :: vertex(:, :) !! deck units, shape (2, vertices)
         type(stroke_type), allocatable :: strokes(:)
         real(dp), allocatable :: pole(:, :, :)
         integer :: i
 
-        allocate (pole, source=uniform_segments(outline%fairing%vertex, .true.))
+        allocate (pole, source=uniform_segments(vertex, .true.))
         allocate (strokes(size(pole, 3)))
         do i = 1, size(strokes)
             strokes(i) = bezier_stroke(pole(:, :, i))

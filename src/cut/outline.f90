@@ -62,8 +62,10 @@ module cut_outline
     !> An outline on a panel as a curve.
     type :: panel_curve_type
         type(bspline_type) :: spline        !! in space, over its length, deck units
+        logical :: is_exact = .false.       !! the outline itself, but for rounding
         real(dp) :: error = 0.0_dp          !! largest distance from the outline, measured
         real(dp) :: worst(3) = 0.0_dp       !! where
+        logical :: has_image = .true.       !! in a symmetric body it has a mirror image
     end type panel_curve_type
 
     !> Something the user will want to know of a cut.
@@ -89,6 +91,7 @@ module cut_outline
                                                         !! the sections of the body
         type(panel_curve_type), allocatable :: curves(:) !! each of these as a curve
         integer :: sections = huge(1)                   !! of the body, where there are panels
+        integer :: patches = 0                          !! of the body; the panels behind are ducts
         real(dp) :: off_plane = 0.0_dp                  !! of these, before they are put into it
         real(dp) :: disagreement = 0.0_dp               !! largest distance between the two ways
         type(note_type), allocatable :: notes(:)        !! in no order

@@ -1,8 +1,9 @@
-!> Cuts of panels: the outlines of a plane on the surfaces of PATCH cards.
+!> Cuts of panels: the outlines of a plane on the surfaces of PATCH and DUCT cards.
 !>
 !> An open outline begins at its foremost end; where both are as far forward, at the one with the
-!> lower BL, then WL. A closed one begins at the foremost of the points that it was found by, and
-!> runs counter-clockwise in its view.
+!> lower BL, then WL. A closed one begins at the foremost of the points that it was found by (of a
+!> duct, where many are as far forward, at the one next to its line u = 0), and runs
+!> counter-clockwise in its view.
 module cut_panel
     use base_error, only: cause, error_type
     use base_kinds, only: dp
@@ -25,8 +26,9 @@ module cut_panel
 
 contains
 
-    !> Adds the outlines on panels to a cut of a body; where it meets a panel it does not matter
-    !> that no section is there. An error of the cut stays, or becomes that of `cut_panels`.
+    !> Adds the outlines on panels to a cut of a body; where it meets a panel, or the body has
+    !> nothing else, it does not matter that no section is there. An error of the cut stays, or
+    !> becomes that of `cut_panels`.
     pure subroutine add_panels(panels, body, request, made, error)
         type(panel_type), intent(in) :: panels(:)                   !! of the body
         type(body_type), intent(in) :: body                         !! finished
@@ -42,6 +44,7 @@ contains
             cut%plane = request%plane
             cut%name = request%name
             cut%is_flange_forward = request%is_flange_forward
+            cut%arcs = request%arcs
             allocate (cut%outlines(0), cut%inside(0), cut%notes(0))
         else
             cut = made
@@ -49,7 +52,8 @@ contains
         call cut_panels(panels, size(body%sections), body%is_symmetric, request, cut, trouble)
         if (allocated(trouble)) then
             error = trouble
-        else if (.not. allocated(error) .or. size(cut%patched) > 0) then
+        else if (.not. allocated(error) .or. size(cut%patched) > 0 .or. &
+            size(body%sections) == 0) then
             made = cut
             if (allocated(error)) deallocate (error)
         end if
@@ -73,9 +77,11 @@ contains
         integer :: i, k, half
 
         cut%sections = sections
+        cut%patches = count(.not. panels%is_round)
         if (.not. allocated(cut%patched)) allocate (cut%patched(0), cut%curves(0))
         do i = 1, size(panels)
-            do half = 1, merge(2, 1, is_symmetric .and. needs_both_halves(request%plane))
+            do half = 1, merge(2, 1, is_symmetric .and. panels(i)%has_image .and. &
+                needs_both_halves(request%plane))
                 if (half == 1) call panel_walks(panels(i), request, walks)
                 if (half == 2) call panel_walks(mirrored_panel(panels(i)), request, walks)
                 do k = 1, size(walks)
@@ -83,6 +89,7 @@ contains
                     if (allocated(error)) return
                     cut%patched = [cut%patched, outline]
                     curve = curve_of_walk(walks(k))
+                    curve%has_image = panels(i)%has_image
                     cut%curves = [cut%curves, curve]
                     cut%off_plane = max(cut%off_plane, off_plane(walks(k), outline))
                 end do
@@ -123,6 +130,8 @@ contains
             last = size(track%at, 2)
             if (track%is_closed) then
                 first = minloc(track%at(1, :last - 1), dim=1)
+                if (walk%panel%is_round) first = minloc(track%uv(1, :last - 1), dim=1, &
+                    mask=track%at(1, :last - 1) <= track%at(1, first) + panel_noise(walk%panel))
                 track%uv(:, :last - 1) = cshift(track%uv(:, :last - 1), first - 1, dim=2)
                 track%at(:, :last - 1) = cshift(track%at(:, :last - 1), first - 1, dim=2)
                 track%uv(:, last) = track%uv(:, 1)

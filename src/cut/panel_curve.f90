@@ -1,12 +1,15 @@
 !> A track of a panel as a cubic spline with a continuous tangent: through points of the track with
-!> its tangents there, as many as bring it within `panel_curve_tolerance` of the panel's size.
+!> its tangents there, as many as bring it within `panel_curve_tolerance` of the panel's size. A
+!> whole section of a duct is the line of its surface around, exactly.
 module cut_panel_curve
     use base_kinds, only: dp
     use base_tolerances, only: panel_curve_tolerance
+    use cut_meeting, only: is_across
     use cut_outline, only: cut_point_type, panel_curve_type
     use cut_panel_point, only: point_on_panel
     use cut_panel_walk, only: last_place, point_at, walk_type
-    use geom_bspline, only: bspline_type, spline_jet
+    use geom_bspline, only: bspline_type, reversed_spline, spline_jet
+    use geom_bspline_surface, only: surface_line
     implicit none (type, external)
     private
 
@@ -26,6 +29,11 @@ contains
         real(dp) :: tolerance, off, t, at(3)
         integer :: i, round
 
+        if (walk%panel%is_round .and. walk%track%is_closed .and. is_across(walk%plane)) then
+            curve%spline = line_around(walk)
+            curve%is_exact = .true.
+            return
+        end if
         tolerance = panel_curve_tolerance*maxval([(maxval(walk%panel%surface%pole(i, :, :)) &
             - minval(walk%panel%surface%pole(i, :, :)), i = 1, 3)])
         allocate (place(0), more(0))
@@ -48,6 +56,15 @@ contains
             place = more
         end do
     end function curve_of_walk
+
+    !> The line of a duct around, at the station of a track and as it runs.
+    pure type(bspline_type) function line_around(walk) result(spline)
+        type(walk_type), intent(in) :: walk !! the track, which begins where u is 0
+
+        spline = surface_line(walk%panel%surface, walk%track%uv(2, 1))
+        spline%pole(1, :) = walk%plane%through(1)
+        if (walk%track%uv(1, 2) > 0.5_dp) spline = reversed_spline(spline)
+    end function line_around
 
     !> How far a point is from a spline near a parameter: across its tangent there.
     pure real(dp) function beside(spline, t, at) result(off)

@@ -6,6 +6,7 @@
 module cut_panel_point
     use base_exact, only: is_zero
     use base_kinds, only: dp
+    use base_tolerances, only: straight_curvature
     use body_panel, only: panel_type
     use cut_outline, only: cut_point_type
     use cut_panel_walk, only: walk_type, uv_at
@@ -57,6 +58,8 @@ contains
             point%has_curvature = .true.
             point%curvature = normal_curvature(jet, normal, tangent) &
                 /dot_product(normal, left_of(plane, tangent))
+            if (abs(point%curvature)*max(norm2(jet%u), norm2(jet%v)) <= straight_curvature) &
+                point%curvature = 0.0_dp
         end associate
     end function point_on_panel
 

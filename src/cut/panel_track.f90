@@ -3,7 +3,8 @@
 !> by `cut_panel_walk`.
 !>
 !> The mesh has the knots of the surface and at least `fewest_cells` cells each way. An outline that
-!> is closed inside one cell is not seen. A side that lies in the plane is a track of its own.
+!> is closed inside one cell is not seen. A side that lies in the plane is a track of its own. Of a
+!> duct the mesh is closed around: the line u = 1 is the line u = 0.
 !>
 !> Source: marching squares; the doubtful case is decided by the middle of the cell.
 module cut_panel_track
@@ -92,7 +93,8 @@ contains
                     surface_point(panel%surface, mesh%u(i), mesh%v(j)))
             end do
         end do
-        mesh%is_above = mesh%h >= 0.0_dp
+        if (panel%is_round) mesh%h(size(mesh%u), :) = mesh%h(1, :)
+        mesh%is_above = mesh%h >= -mesh%noise
     end subroutine lay_mesh
 
     !> The lines of a mesh: the knots, with as many lines between two as make it fine enough.
@@ -129,6 +131,7 @@ contains
             call take(panel, 3, reshape([mesh%u, spread(1.0_dp, 1, m)], [2, m], order=[2, 1]), &
                 tracks)
         end if
+        if (panel%is_round) return
         if (is_in(mesh%h(1, :))) then
             mesh%is_above(1, :) = mesh%is_above(2, :)
             call take(panel, 4, reshape([spread(0.0_dp, 1, n), mesh%v], [2, n], order=[2, 1]), &
@@ -166,6 +169,9 @@ contains
         do i = 1, size(uv, 2)
             track%at(:, i) = surface_point(panel%surface, uv(1, i), uv(2, i))
         end do
+        track%is_closed = panel%is_round .and. all(abs(uv(:, size(uv, 2)) - uv(:, 1) &
+            - [1.0_dp, 0.0_dp]) <= 0.0_dp)
+        if (track%is_closed) track%uv(:, size(uv, 2)) = uv(:, 1)
     end function track_through
 
     !> Adds the pieces of tracks across a cell: from where the plane crosses one of its sides to
@@ -217,6 +223,10 @@ contains
 
         low = min(one, other)
         high = max(one, other)
+        if (panel%is_round .and. low(1) == size(mesh%u)) then
+            low(1) = 1
+            high(1) = 1
+        end if
         from = [mesh%u(low(1)), mesh%v(low(2))]
         to = [mesh%u(high(1)), mesh%v(high(2))]
         h = [mesh%h(low(1), low(2)), mesh%h(high(1), high(2))]
@@ -277,7 +287,7 @@ contains
                 end associate
             end do
             track = track_through(panel, uv)
-            track%is_closed = chains(i)%is_closed
+            track%is_closed = chains(i)%is_closed .or. track%is_closed
             if (track%is_closed) track%uv(:, size(uv, 2)) = track%uv(:, 1)
             if (track%is_closed) track%at(:, size(uv, 2)) = track%at(:, 1)
             tracks = [tracks, track]

@@ -50,8 +50,10 @@ contains
         share = s - real(piece - 1, dp)
         associate (uvs => walk%track%uv(:, piece:piece + 1), &
             ends => walk%track%at(:, piece:piece + 1))
-            uv = (1.0_dp - share)*uvs(:, 1) + share*uvs(:, 2)
+            uv = uvs(:, merge(1, 2, share < 0.5_dp))
             if (is_zero(share) .or. is_zero(1.0_dp - share)) return
+            uv = on_panel(walk%panel, (1.0_dp - share)*uvs(:, 1) + &
+                share*next_to(walk%panel, uvs(:, 1), uvs(:, 2)))
             chord = ends(:, 2) - ends(:, 1)
             target = (1.0_dp - share)*ends(:, 1) + share*ends(:, 2)
         end associate
@@ -65,10 +67,29 @@ contains
             det = m(1, 1)*m(2, 2) - m(1, 2)*m(2, 1)
             if (abs(det) <= least_sine*norm2(du)*norm2(dv)) return
             step = [off(1)*m(2, 2) - off(2)*m(1, 2), off(2)*m(1, 1) - off(1)*m(2, 1)]/det
-            uv = min(max(uv - step, 0.0_dp), 1.0_dp)
+            uv = on_panel(walk%panel, uv - step)
             if (all(abs(step) <= 2.0_dp*ulp)) return
         end do
     end function uv_at
+
+    !> A place near another; around a duct on the short way from it, maybe beyond 0 or 1.
+    pure function next_to(panel, one, other) result(place)
+        type(panel_type), intent(in) :: panel   !! any
+        real(dp), intent(in) :: one(2)          !! u and v
+        real(dp), intent(in) :: other(2)        !! u and v
+        real(dp) :: place(2)
+        place = other
+        if (panel%is_round) place(1) = other(1) - anint(other(1) - one(1))
+    end function next_to
+
+    !> A place brought back onto a panel; around a duct it goes on.
+    pure function on_panel(panel, uv) result(place)
+        type(panel_type), intent(in) :: panel   !! any
+        real(dp), intent(in) :: uv(2)           !! a place, maybe beyond
+        real(dp) :: place(2)
+        place = min(max(uv, 0.0_dp), 1.0_dp)
+        if (panel%is_round) place(1) = modulo(uv(1), 1.0_dp)
+    end function on_panel
 
     !> The point of a place, deck units.
     pure function point_at(walk, s) result(at)

@@ -70,11 +70,11 @@ module deck_body_layout
         integer :: conic = 10, rho = 11, tangent = 12, tangent_rho = 13, four_points = 14
         integer :: five_points = 15, straight = 16, circle = 17, radius = 18
         integer :: cyclic = 19, blend = 20, point = 21
-        integer :: section = 22, patch = 23, faired = 24
-        integer :: points = 25, limit = 26, flange = 27, skin = 28, arcs = 29
-        integer :: station = 30, stations = 31, buttock = 32, waterline = 33, oblique = 34, &
-            plane = 35
-        integer :: check_point = 36, check_sphere = 37, check_box = 38, end = 39
+        integer :: section = 22, patch = 23, faired = 24, duct = 25
+        integer :: points = 26, limit = 27, flange = 28, skin = 29, arcs = 30
+        integer :: station = 31, stations = 32, buttock = 33, waterline = 34, oblique = 35, &
+            plane = 36
+        integer :: check_point = 37, check_sphere = 38, check_box = 39, end = 40
     end type body_card_list
 
     !> Which card is which.
@@ -85,7 +85,7 @@ module deck_body_layout
         one_slope = 'LAST DXDY KNUCKLE', no_slope = 'KNUCKLE'
 
     !> The cards of a body deck besides TITLE and UNITS.
-    type(body_layout_type), parameter, public :: body_layout(39) = [ &
+    type(body_layout_type), parameter, public :: body_layout(40) = [ &
         body_layout_type('OUTPUT', '', '', &
         'unit of the listing; CSV and files keep the unit of the deck'), &
         body_layout_type('DIGITS', '', '', 'decimals of the ordinates in the listing'), &
@@ -123,7 +123,9 @@ module deck_body_layout
         body_layout_type('PATCH', '', '', &
         'a Coons patch between four sides, counter-clockwise as seen from outside'), &
         body_layout_type('FAIRED', '', '', &
-        'a closed outline at a station, faired near the points that follow; stands by itself'), &
+        'a closed outline at a station, faired near the points that follow; a cut by itself'), &
+        body_layout_type('DUCT', '', '', &
+        'a surface lofted through FAIRED outlines, with continuous slopes and curvatures'), &
         body_layout_type('POINTS', '', '', &
         'how the points are spread on the cuts that follow and give no step themselves'), &
         body_layout_type('LIMIT', '', '', 'limits the cuts that follow'), &

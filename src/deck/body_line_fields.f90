@@ -25,7 +25,7 @@ module deck_body_line_fields
         'radius of the nose, above zero')]
 
     !> LINE, SECTION, PATCH and FAIRED.
-    type(body_field_type), parameter, public :: line_fields(26) = [ &
+    type(body_field_type), parameter, public :: line_fields(29) = [ &
         body_field_type(card%line, 2, 'NAME', form%name, need%always, 'none', &
         'name of the line'), &
         body_field_type(card%line, 3, 'VIEW', form%word, need%always, 'none', &
@@ -77,6 +77,12 @@ module deck_body_line_fields
         body_field_type(card%faired, 5, 'BETA', form%number, need%optional, 'none', &
         'share of the 2nd derivative in its energy, 0 to 1; else .5'), &
         body_field_type(card%faired, 6, 'AREA', form%number, need%optional, 'unit**2', &
-        'area it encloses; without it as it comes')]
+        'area it encloses; without it as it comes'), &
+        body_field_type(card%duct, 2, 'NAME', form%name, need%always, 'none', &
+        'name of the duct'), &
+        body_field_type(card%duct, 3, 'FROM', form%name, need%always, 'none', &
+        'the foremost FAIRED outline, given on a card before'), &
+        body_field_type(card%duct, 4, 'NEXT', form%name, need%repeated, 'none', &
+        'the next one aft, in this field and all that follow')]
 
 end module deck_body_line_fields

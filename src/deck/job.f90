@@ -6,6 +6,7 @@ module deck_job
     use base_decimal, only: decimal_type, to_real
     use base_kinds, only: dp
     use deck_body_card, only: card_type
+    use deck_duct, only: duct_type
     implicit none (type, external)
     private
 
@@ -186,6 +187,7 @@ module deck_job
         type(decimal_type) :: beta                  !! share of the second derivative's energy
         logical :: has_area = .false.               !! its area is prescribed
         type(decimal_type) :: area                  !! that area, deck units squared, above zero
+        type(decimal_type) :: arcs                  !! tolerance of arcs, deck units; 0: none asked
         type(piece_type), allocatable :: piece(:)   !! its points, BL and WL, in order around it
         logical :: is_sound = .false.               !! none of its cards was in error
         type(card_type) :: card                     !! its card
@@ -250,6 +252,7 @@ module deck_job
         type(section_type), allocatable :: section(:)   !! its sections
         type(outline_type), allocatable :: outline(:)   !! its faired outlines
         type(patch_type), allocatable :: patch(:)       !! its patches
+        type(duct_type), allocatable :: duct(:)         !! its ducts
         type(cut_type), allocatable :: cut(:)           !! the cuts asked of it, in deck order
         type(check_type), allocatable :: check(:)       !! clearances asked of it
     end type body_type

@@ -29,8 +29,9 @@ contains
         integer :: i
 
         if (state%has_body_card .or. &
-            state%lines + state%sections + state%patches + state%cuts + state%checks + &
-            state%outlines > 0 .or. state%body%has_nose) call close_body(state, faults)
+            state%lines + state%sections + state%patches + state%ducts + state%cuts + &
+            state%checks + state%outlines > 0 .or. state%body%has_nose) &
+            call close_body(state, faults)
         do i = 1, state%bodies
             if (state%job%body(i)%name == field_text(card, 2)) call blame(card, 2, &
                 'a second body '//field_text(card, 2), faults)
@@ -105,6 +106,7 @@ contains
         state%sections = 0
         state%outlines = 0
         state%patches = 0
+        state%ducts = 0
         state%cuts = 0
         state%checks = 0
         state%has_body_card = .false.
@@ -120,11 +122,13 @@ contains
         body%nose_radius = state%body%nose_radius
         body%nose_card = state%body%nose_card
         allocate (body%line(state%lines), body%section(state%sections), body%cut(state%cuts), &
-            body%check(state%checks), body%outline(state%outlines), body%patch(state%patches))
+            body%check(state%checks), body%outline(state%outlines), body%patch(state%patches), &
+            body%duct(state%ducts))
         if (state%lines > 0) body%line = state%body%line(:state%lines)
         if (state%sections > 0) body%section = state%body%section(:state%sections)
         if (state%outlines > 0) body%outline = state%body%outline(:state%outlines)
         if (state%patches > 0) body%patch = state%body%patch(:state%patches)
+        if (state%ducts > 0) body%duct = state%body%duct(:state%ducts)
         if (state%cuts > 0) body%cut = state%body%cut(:state%cuts)
         if (state%checks > 0) body%check = state%body%check(:state%checks)
     end function trimmed_body

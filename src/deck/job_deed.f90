@@ -10,6 +10,7 @@ module deck_job_deed
     use deck_job, only: check_type, cut_type, job_type, side
     use deck_job_body, only: close_body, take_body, take_nose, take_section
     use deck_job_cut, only: check_of_card, cut_of_card
+    use deck_job_duct, only: take_duct
     use deck_job_line, only: close_line, is_data_card, refuse_line, take_line, take_piece, &
         wordless_card
     use deck_job_list, only: append
@@ -133,6 +134,8 @@ contains
             call take_outline(state, card, faults)
         case (body_card%patch)
             call take_patch(state, card, faults)
+        case (body_card%duct)
+            call take_duct(state, card, faults)
         case (body_card%station:body_card%plane)
             call take_cut(state, card, kind, faults)
         case (body_card%check_point:body_card%check_box)

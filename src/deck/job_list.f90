@@ -1,6 +1,7 @@
 !> Lists of a job that grow while its deck is read: twice as long whenever they are full, cut to
 !> their length in the end.
 module deck_job_list
+    use deck_duct, only: duct_type
     use deck_job, only: body_type, check_type, control_line_type, cut_type, outline_type, &
         patch_type, piece_type, section_type
     implicit none (type, external)
@@ -14,7 +15,7 @@ module deck_job_list
     !> Puts an item at the end of a list that holds `count` of them.
     interface append
         module procedure append_body, append_line, append_piece, append_section, append_cut, &
-            append_check, append_outline, append_patch
+            append_check, append_outline, append_patch, append_duct
     end interface append
 
 contains
@@ -137,6 +138,23 @@ contains
         count = count + 1
         list(count) = item
     end subroutine append_patch
+
+    !> Adds a duct.
+    pure subroutine append_duct(list, count, item)
+        type(duct_type), allocatable, intent(inout) :: list(:) !! the list
+        integer, intent(inout) :: count !! items in it
+        type(duct_type), intent(in) :: item !! what to add
+        type(duct_type), allocatable :: grown(:)
+
+        if (.not. allocated(list)) allocate (list(first_room))
+        if (count == size(list)) then
+            allocate (grown(2*count))
+            grown(:count) = list
+            call move_alloc(grown, list)
+        end if
+        count = count + 1
+        list(count) = item
+    end subroutine append_duct
 
     !> Adds a component.
     pure subroutine append_check(list, count, item)

@@ -32,6 +32,7 @@ contains
         item%name = text_of(field_text(card, 2))
         item%card = card
         item%sta = decimal_in(card, 3)
+        item%arcs = state%standing%arcs
         item%weight = usual_weight
         item%beta = usual_beta
         item%has_area = is_filled(card, 6)

@@ -44,7 +44,7 @@ contains
         if (.not. faults%has_errors(before)) call append(state%body%patch, state%patches, item)
     end subroutine take_patch
 
-    !> Sections and patches have names of their own: both stand in the same column of tables.
+    !> Sections, patches and ducts have names of their own: all stand in the same column of tables.
     pure subroutine check_name(state, card, faults)
         type(state_type), intent(in) :: state           !! the job so far
         type(card_type), intent(in) :: card             !! the card
@@ -56,6 +56,10 @@ contains
         do i = 1, state%patches
             if (state%body%patch(i)%name == name) call blame(card, 2, 'a second PATCH '//name// &
                 '; give it another name', faults)
+        end do
+        do i = 1, state%ducts
+            if (state%body%duct(i)%name == name) call blame(card, 2, 'there is a DUCT '//name// &
+                '; give the patch another name', faults)
         end do
         do i = 1, state%sections
             if (state%body%section(i)%name == name) call blame(card, 2, 'there is a SECTION '// &

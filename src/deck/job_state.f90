@@ -43,6 +43,7 @@ module deck_job_state
         integer :: sections = 0                     !! its sections
         integer :: outlines = 0                     !! its faired outlines
         integer :: patches = 0                      !! its patches
+        integer :: ducts = 0                        !! its ducts
         integer :: cuts = 0                         !! its cuts
         integer :: checks = 0                       !! its checks
         type(open_line_type) :: open                !! the open line

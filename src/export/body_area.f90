@@ -11,7 +11,7 @@ module export_body_area
     implicit none (type, external)
     private
 
-    public :: area_drawing
+    public :: area_drawing, figures
 
     !> Dots of the box between the axes.
     real(dp), parameter :: box(2) = [760.0_dp, 400.0_dp]

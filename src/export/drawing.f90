@@ -51,6 +51,7 @@ module export_drawing
     type :: contour_type
         logical :: is_closed = .false.                  !! the last ends where the first begins
         logical :: is_inside = .false.                  !! of the inside of the skin
+        logical :: has_image = .true.                   !! of a half shape: it is half of a pair
         type(curve_type), allocatable :: curves(:)      !! in order; none: a point
         type(mark_type), allocatable :: marks(:)        !! bevels, in order along it
         real(dp) :: at(3) = 0.0_dp                      !! of a point: STA, BL, WL

@@ -62,6 +62,8 @@ contains
             end do
         end do
         if (allocated(cut%patched)) call draw_patched(cut, shape)
+        if (size(shape%contours) > 0) shape%is_half = shape%is_half .and. &
+            any(shape%contours%has_image)
     end subroutine draw_cut
 
     !> Draws the outlines on patches; each is one curve. The bevels of patches are not marked.
@@ -73,9 +75,11 @@ contains
 
         do i = 1, size(cut%patched)
             contour%is_closed = cut%patched(i)%is_closed
+            contour%has_image = cut%curves(i)%has_image
             if (allocated(contour%curves)) deallocate (contour%curves, contour%marks)
             allocate (contour%curves(1), contour%marks(0))
             contour%curves(1)%spline = cut%curves(i)%spline
+            contour%curves(1)%is_exact = cut%curves(i)%is_exact
             contour%curves(1)%error = cut%curves(i)%error
             contour%curves(1)%worst = cut%curves(i)%worst
             contour%curves(1)%section = ''

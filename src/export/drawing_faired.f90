@@ -28,6 +28,7 @@ contains
         shape%title = cut_title(cut)
         shape%kind = cut%plane%kind
         shape%plane = cut%plane
+        shape%arcs = cut%arcs
         allocate (shape%contours(1))
         count = size(outline%fairing%vertex, 2)
         half = count/2

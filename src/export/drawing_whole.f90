@@ -19,9 +19,9 @@ module export_drawing_whole
 
 contains
 
-    !> The whole of a shape: of a half one each contour and its mirror image, as one contour where
-    !> they meet at BL 0; closed, and then counter-clockwise in the plane, where they meet twice.
-    !> Another shape is as it was.
+    !> The whole of a shape: of a half one each contour that has a mirror image with it, as one
+    !> contour where they meet at BL 0; closed, and then counter-clockwise in the plane, where they
+    !> meet twice. Another shape is as it was.
     pure type(shape_type) function whole(shape) result(both)
         type(shape_type), intent(in) :: shape !! any
         type(contour_type), allocatable :: more(:)
@@ -48,6 +48,11 @@ contains
         logical :: meets(2)
 
         own = contour
+        if (.not. contour%has_image) then
+            count = count + 1
+            contours(count) = own
+            return
+        end if
         call seat_ends(plane, own, meets)
         image = mirrored_contour(plane, own)
         count = count + 1

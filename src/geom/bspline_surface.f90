@@ -4,11 +4,12 @@
 module geom_bspline_surface
     use base_kinds, only: dp
     use geom_bspline, only: bspline_type
-    use geom_bspline_basis, only: basis_jet, span_of
+    use geom_bspline_basis, only: basis, basis_jet, span_of
     implicit none (type, external)
     private
 
-    public :: bspline_surface_type, surface_point, surface_jet, edge_spline, mirrored_surface
+    public :: bspline_surface_type, surface_point, surface_jet, surface_line
+    public :: edge_spline, mirrored_surface
 
     !> The sides of a surface, in the order of a loop around it.
     type, public :: surface_side_list
@@ -78,6 +79,23 @@ contains
         du = (ways(:, 2) - sums(2)*ways(:, 1))/sums(1)
         dv = (ways(:, 3) - sums(3)*ways(:, 1))/sums(1)
     end subroutine surface_jet
+
+    !> The line of a polynomial surface along u at a v, as a curve.
+    pure type(bspline_type) function surface_line(f, v) result(line)
+        type(bspline_surface_type), intent(in) :: f !! all its weights are 1
+        real(dp), intent(in) :: v                   !! parameter from its start to its end
+        real(dp) :: share(f%degree(2) + 1)
+        integer :: span, first, base, j
+
+        span = span_of(f%v_knot, f%degree(2), v)
+        first = span - f%degree(2)
+        share = basis(f%v_knot, f%degree(2), span, v)
+        base = first - 1 + maxloc(share, dim=1)
+        line = bspline_type(f%degree(1), f%u_knot, f%pole(:, :, base), f%weight(:, base))
+        do j = 1, size(share)
+            line%pole = line%pole + share(j)*(f%pole(:, :, first + j - 1) - f%pole(:, :, base))
+        end do
+    end function surface_line
 
     !> The edge of a surface as a curve, along growing u or v.
     pure type(bspline_type) function edge_spline(f, side) result(edge)

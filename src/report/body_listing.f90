@@ -4,12 +4,14 @@
 module report_body_listing
     use base_output, only: output_type
     use body_body, only: body_type
+    use body_duct, only: duct_type
     use body_faired, only: faired_type
     use body_ledger, only: joint_type
     use body_outline, only: outline_type
     use body_panel, only: panel_type
     use body_ring_list, only: ring_type
     use cut_clearance, only: clearance_type
+    use cut_duct, only: duct_measure_type
     use cut_measure_body, only: body_measure_type
     use cut_offsets, only: offset_table_type
     use cut_outline, only: cut_type
@@ -17,6 +19,7 @@ module report_body_listing
     use report_arc_listing, only: arc_table_type, print_arcs
     use report_clearance_listing, only: print_clearances
     use report_cut_listing, only: print_cut
+    use report_duct_listing, only: print_ducts
     use report_faired_listing, only: print_faired
     use report_ledger_listing, only: print_ledger
     use report_measure_listing, only: print_measures
@@ -48,6 +51,7 @@ module report_body_listing
         procedure :: print_faired_lines
         procedure :: print_body_ring
         procedure :: print_body_patches
+        procedure :: print_body_ducts
         procedure :: print_offset_tables
         procedure :: print_body_measures
         procedure :: print_body_clearances
@@ -110,13 +114,22 @@ contains
         call print_ring(listing%page, body, ring, listing%coarse, out)
     end subroutine print_body_ring
 
-    !> Prints the patches of a body.
+    !> Prints the patches of a body; `panels` may have other panels too.
     subroutine print_body_patches(listing, panels, out)
         class(body_listing_type), intent(inout) :: listing  !! the listing
         type(panel_type), intent(in) :: panels(:)           !! of the body
         type(output_type), intent(inout) :: out             !! where they go
         call print_patches(listing%page, panels, listing%coarse, out)
     end subroutine print_body_patches
+
+    !> Prints the ducts of a body.
+    subroutine print_body_ducts(listing, ducts, measures, out)
+        class(body_listing_type), intent(inout) :: listing  !! the listing
+        type(duct_type), intent(in) :: ducts(:)             !! of the body
+        type(duct_measure_type), intent(in) :: measures(:)  !! of each
+        type(output_type), intent(inout) :: out             !! where they go
+        call print_ducts(listing%page, ducts, measures, listing%form, out)
+    end subroutine print_body_ducts
 
     !> Prints the tables of offsets.
     subroutine print_offset_tables(listing, heights, half_breadths, sections, out)

@@ -18,6 +18,7 @@ module report_cut_listing
     use base_digits, only: fixed, scientific
     use report_ordinate, only: ordinate_form_type, ordinate_text, ordinate_words
     use report_page, only: page_type, widest_page
+    use report_panel_words, only: kind_word, panels_word
     implicit none (type, external)
     private
 
@@ -124,8 +125,8 @@ contains
         do i = 1, size(outline%points)
             associate (point => outline%points(i))
                 if (point%section /= section .and. point%section > 0) then
-                    call page%line(out, trim(merge('PATCH  ', 'SECTION', &
-                        point%section > cut%sections))//' '//trim(sections(point%section)))
+                    call page%line(out, kind_word(cut, point%section)//' '// &
+                        trim(sections(point%section)))
                     section = point%section
                 end if
                 lines = row(point, is_oblique(cut), form)
@@ -136,7 +137,7 @@ contains
         call page%end_columns()
     end subroutine print_points
 
-    !> Prints the outlines on patches.
+    !> Prints the outlines on patches and ducts.
     subroutine print_patched(page, cut, sections, form, out)
         type(page_type), intent(inout) :: page          !! the listing
         type(cut_type), intent(in) :: cut               !! the cut
@@ -145,12 +146,12 @@ contains
         type(output_type), intent(inout) :: out         !! where it goes
         integer :: i
         do i = 1, size(cut%patched)
-            call page%line(out, 'ON PATCHES: OUTLINE '//to_text(i)//' OF '// &
+            call page%line(out, 'ON '//panels_word(cut)//': OUTLINE '//to_text(i)//' OF '// &
                 to_text(size(cut%patched))// &
                 trim(merge(', CLOSED', ', OPEN  ', cut%patched(i)%is_closed)))
             call print_points(page, cut, cut%patched(i), sections, form, out)
         end do
-        call page%line(out, 'ON PATCHES: WITHIN '// &
+        call page%line(out, 'ON '//panels_word(cut)//': WITHIN '// &
             trim(adjustl(scientific(form%factor*cut%off_plane, 10, 2)))//' OF THE PLANE')
     end subroutine print_patched
 

@@ -7,7 +7,7 @@ module report_outline_listing
     use base_output, only: output_type
     use base_text, only: compact, right, to_text
     use body_outline, only: outline_type
-    use cut_faired, only: faired_cut, outline_length, points_around
+    use cut_faired, only: faired_cut, ring_length, points_around
     use cut_outline, only: cut_type
     use geom_fairing, only: faired_energy
     use report_ordinate, only: ordinate_form_type, ordinate_text, ordinate_words
@@ -69,7 +69,7 @@ contains
                 figure(sign(1.0_dp, fairing%area)*fairing%lambda)//'   STEPS '// &
                 to_text(fairing%steps))
         end associate
-        call outline_length(outline, length, error)
+        call ring_length(outline%fairing%vertex, length, error)
         if (.not. allocated(error)) call page%line(out, '  LENGTH                     '// &
             figure(form%factor*length))
     end subroutine print_facts

@@ -25,16 +25,16 @@ module report_patch_listing
 
 contains
 
-    !> Prints the patches of a body; nothing where it has none.
+    !> Prints the patches of a body; nothing where it has none. Ducts have pages of their own.
     subroutine print_patches(page, panels, form, out)
         type(page_type), intent(inout) :: page          !! the listing
-        type(panel_type), intent(in) :: panels(:)       !! the patches
+        type(panel_type), intent(in) :: panels(:)       !! the patches, and ducts
         type(ordinate_form_type), intent(in) :: form    !! unit of the errors
         type(output_type), intent(inout) :: out         !! where they go
         character(page_columns) :: head(2)
         integer :: i
 
-        if (size(panels) == 0) return
+        if (all(panels%is_round)) return
         call page%keep(out, 6)
         head(1) = 'PATCHES'//right('OUTWARD NORMAL IN THE MIDDLE', &
             name_width + error_width + 3*part_width - 7)
@@ -42,7 +42,7 @@ contains
             right('BL', part_width)//right('WL', part_width)
         call page%set_columns(out, head)
         do i = 1, size(panels)
-            call page%line(out, row(panels(i), form))
+            if (.not. panels(i)%is_round) call page%line(out, row(panels(i), form))
         end do
         call page%end_columns()
         call page%blank(out)

@@ -47,6 +47,7 @@ program test_computed_arcs
     call arcs_of_cut(it%body, cut, tables, error)
     call tap%ok(allocated(error), 'a tolerance below rounding is refused')
     call check_sphere()
+    call check_duct()
     call tap%finish()
 
 contains
@@ -66,5 +67,24 @@ contains
         call tap%near(maxval([(abs(abs(tables(1)%arcs(k)%arc%radius)/radius - 1.0_dp), &
             k=1, size(tables(1)%arcs))]), 0.0_dp, 1.0e-12_dp, 'of its radius')
     end subroutine check_sphere
+
+    !> A faired outline and a section of a duct, with the tolerance asked on either.
+    subroutine check_duct()
+        type(computed_body_type) :: duct
+
+        call computed_deck(tap, 'duct', duct)
+        call tap%ok(size(duct%outline_arcs(1)%tables) == 1 .and. &
+            all([(size(duct%outline_arcs(i)%tables) == 0, i = 2, 4)]), &
+            'the outline behind an ARCS card has arcs')
+        associate (lip => duct%outline_arcs(1)%tables(1))
+            call tap%ok(lip%is_closed .and. maxval(lip%arcs%deviation) <= 0.002_dp, &
+                'all around it, within the tolerance')
+        end associate
+        associate (section => duct%arcs(size(duct%arcs))%tables)
+            call tap%ok(size(section) == 1, 'so has a section of a duct')
+            call tap%ok(section(1)%is_closed .and. maxval(section(1)%arcs%deviation) <= 0.002_dp, &
+                'all around it')
+        end associate
+    end subroutine check_duct
 
 end program test_computed_arcs

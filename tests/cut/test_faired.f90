@@ -4,7 +4,7 @@ program test_faired
     use base_error, only: error_type
     use base_kinds, only: dp
     use body_outline, only: outline_type
-    use cut_faired, only: faired_cut, measured_cut, outline_length
+    use cut_faired, only: faired_cut, measured_cut, ring_length
     use cut_outline, only: cut_type
     use geom_fairing, only: fair
     use geom_fairing_system, only: fairing_end
@@ -39,7 +39,7 @@ contains
             outline%measured%point(:, i) = 10.0_dp*[cos(angle), sin(angle)]
         end do
         call fair(outline%measured, 0.0_dp, outline%fairing, error)
-        call outline_length(outline, length, error)
+        call ring_length(outline%fairing%vertex, length, error)
         call tap%near(length, 20.0_dp*pi, 1.0e-4_dp, 'length of a circle')
         call faired_cut(outline, 12, cut, error)
         call tap%ok(.not. allocated(error) .and. size(cut%outlines) == 1 .and. &
@@ -81,7 +81,7 @@ contains
             stretch(k) = stretch(k) + norm2(close%outlines(1)%points(after)%at &
                 - close%outlines(1)%points(i)%at)
         end do
-        call outline_length(outline, length, error)
+        call ring_length(outline%fairing%vertex, length, error)
         call tap%near(maxval(abs(stretch - length/7.0_dp)), 0.0_dp, 1.0e-6_dp, &
             'stretches of equal length')
         call tap%near(norm2(close%outlines(1)%points(3001)%at - cut%outlines(1)%points(4)%at), &

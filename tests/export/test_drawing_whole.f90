@@ -27,6 +27,11 @@ program test_drawing_whole
     call tap%ok(size(both%contours) == 2 .and. all(both%contours%is_closed), &
         'outside and inside, both closed')
     call tap%ok(size(both%contours(1)%curves) == 4, 'of all four arcs')
+    half%contours%has_image = .false.
+    both = whole(half)
+    call tap%ok(size(both%contours) == 2 .and. size(both%contours(1)%curves) == 2 .and. &
+        .not. both%is_half, 'contours that have no image are whole as they are')
+    call go(station_plane(80.0_dp))
     call judge('frame')
     call tap%ok(size(both%contours(1)%marks) == 2*size(half%contours(1)%marks) - 1, &
         'a mark at BL 0 is there once')
