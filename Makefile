@@ -118,7 +118,7 @@ demo: deps                          ## sets up, builds, runs the deck of 1970, c
 	@$(MAKE) plot
 	@echo && echo "The whole listing is $(BUILD)/demo.lst, the program is $(LOFT)."
 
-book: $(BOOK)                       ## shows the printed figures of SAE 700202 beside ours
+book: $(BOOK)                       ## shows the printed figures of SAE 700202 and seed 002 beside ours
 	@$(BOOK)
 
 plot: $(LOFT)                       ## draws the pictures of DECK

@@ -21,6 +21,13 @@ echo "$shown" | awk '/over all/ && !met { met = 1; if ($3 > 0 && $3 <= 0.0015) g
 ok $? 'the listing of 1970 keeps the .0015 in that the paper claims, on its cards as punched'
 echo "$shown" | grep -q '^Largest distance of a printed point from that nose:  0\.00[0-3][0-9]* in$'
 ok $? 'the points of table 4 are within .004 in of the nose made of table 1 alone' "$(echo "$shown" | tail -n 1)"
+echo "$shown" | grep -q '^   1000000 *0.0 *10.1366 *1.2291 *1.4202 *1.1967 *1.2764 *1.1981$' &&
+    echo "$shown" | grep -q '^       100 *0.0 *10.0593 *1.1702 *0.3712 *1.1924 *0.3639 *1.1927$' &&
+    echo "$shown" | grep -q '^       100 *-3.0 *10.0434 *1.1802 *0.3677 *1.1800 *0.3592 *1.1800$'
+ok $? 'the inlet as printed has its figures beside those of a dense solution' "$(echo "$shown" | tail -n 15)"
+echo "$shown" | grep -q 'The printed 0.0773 then allows areas about 0.0221 apart;$' &&
+    echo "$shown" | grep -q '^printed they are 0.0589, '
+ok $? 'and why they can not be least values' "$(echo "$shown" | tail -n 5)"
 ! echo "$shown" | grep -q '.\{81\}'
 ok $? 'no line is wider than 80 columns'
 

@@ -1,6 +1,6 @@
 !> `make book`: every figure that SAE 700202 prints of the nose, beside what LOFT makes of the same
-!> cards, in System/360 arithmetic and from the arc. Ends with status 1 where a figure in System/360
-!> arithmetic is not the printed one.
+!> cards, in System/360 arithmetic and from the arc; then the inlet of seed 002. Ends with status 1
+!> where a figure in System/360 arithmetic is not the printed one.
 !>
 !>     as scanned    the characters of the damaged scan
 !>     as restored   the figure as it was printed
@@ -17,6 +17,7 @@ program book
         text_file
     use support_book_card, only: book_card_type, exact_figure, is_of_contour, printed_figure, &
         run_cards, value_of
+    use support_book_inlet, only: inlet_count, inlet_lines
     use support_book_nose, only: is_of_nose, nose_of_deck, off_nose, point_of
     implicit none (type, external)
 
@@ -45,6 +46,7 @@ program book
     call say('')
     call close_count()
     call compare_nose(read_figures('golden/book/tables.csv'))
+    call show_inlet()
     if (ordinates%same < ordinates%figures .or. coefficients%same < coefficients%figures) &
         stop 1, quiet=.true.
 
@@ -187,6 +189,16 @@ contains
         row = fixed(worst, 9, 5)
         call say('Largest distance of a printed point from that nose:'//row(:9)//' in')
     end subroutine compare_nose
+
+    !> Prints the inlet of seed 002, which LOFT does not reproduce.
+    subroutine show_inlet()
+        character(80) :: lines(inlet_count)
+        integer :: i
+        lines = inlet_lines()
+        do i = 1, size(lines)
+            call say(lines(i))
+        end do
+    end subroutine show_inlet
 
     !> Prints a length in inches and in millimetres.
     subroutine say_length(words, inches)
