@@ -18,6 +18,7 @@ module api_computed_body
     use body_panel, only: panel_type
     use body_ring, only: ring_of
     use body_ring_list, only: ring_type
+    use body_trace, only: trace_type
     use cut_clearance, only: check_clearance, clearance_type, component_kind, component_type
     use cut_clearance_map, only: map_type, new_map
     use cut_duct, only: duct_measure_type, measure_duct
@@ -28,6 +29,7 @@ module api_computed_body
     use cut_panel, only: add_panels
     use cut_plane, only: cut_kind
     use cut_request, only: request_type
+    use cut_trace, only: traces_of
     use deck_body_card, only: blame, warn
     use deck_job, only: asked_body_type => body_type, asked_cut_type => cut_type, check, &
         check_real, check_type, job_type, name_length
@@ -124,7 +126,8 @@ contains
         call build_body(job, number, computed%body, computed%joints, faults)
         call build_outlines(job%body(number), computed%outlines, faults)
         allocate (computed%cuts(0), computed%cards(0), computed%clearances(0))
-        call build_panels(job, number, computed%body, computed%panels, faults)
+        call build_panels(job, number, computed%body, &
+            traces_of_sides(job%body(number), computed%body), computed%panels, faults)
         call build_ducts(job%body(number), computed%outlines, computed%ducts, faults)
         do i = 1, size(computed%ducts)
             computed%panels = [computed%panels, computed%ducts(i)%panel]
@@ -139,6 +142,27 @@ contains
                 size(computed%cuts))]]
         end do
     end subroutine cuts_of_body
+
+    !> The curves of the cuts that are sides of patches. What is wrong with a cut is said where it is
+    !> made.
+    function traces_of_sides(asked, body) result(traces)
+        type(asked_body_type), intent(in) :: asked  !! as the deck has it
+        type(body_type), intent(in) :: body         !! as built
+        type(trace_type), allocatable :: traces(:), more(:)
+        type(request_type), allocatable :: requests(:)
+        type(fault_list_type) :: known
+        integer :: i, k
+
+        allocate (traces(0), more(0))
+        do i = 1, size(asked%cut)
+            if (.not. any([(any(asked%patch(k)%side%cut == i), k = 1, size(asked%patch))])) cycle
+            call requests_of(asked%cut(i), requests, known)
+            if (size(requests) /= 1) cycle
+            more = traces_of(body, requests(1))
+            more%cut = i
+            traces = [traces, more]
+        end do
+    end function traces_of_sides
 
     !> Reports where a section has no conic though its lines are there.
     subroutine report_gaps(asked, body, faults)

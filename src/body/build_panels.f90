@@ -1,52 +1,71 @@
-!> From the PATCH cards of a job to panels: which parts of lines and which arcs are the sides. Lines
-!> meet where they have the same BL and WL at a station; a line has the corner with a station side
-!> there; a POINT is where the sides beside it meet.
+!> From the PATCH cards of a job to panels: which curves are the sides, and what lies beside those
+!> that are to be tangent.
 module body_build_panels
     use base_decimal, only: to_real
     use base_error, only: cause, error_type, fail
     use base_fault, only: fault_list_type
     use base_kinds, only: dp
-    use base_text, only: compact, to_text
+    use base_text, only: to_text
+    use body_beside, only: beside_type, find_edge, find_skin, is_in_mirror, neighbour
     use body_body, only: body_type
-    use body_line, only: line_point, line_type
-    use body_panel, only: new_panel, panel_type
-    use body_panel_side, only: arc_side, line_side, point_side, side_type
-    use body_meeting, only: meetings_of, nearest_gap
-    use body_section, only: section_arc
-    use deck_body_card, only: blame
+    use body_build_sides, only: trimmed_sides
+    use body_line, only: line_type
+    use body_panel, only: new_panel, panel_type, plan_type
+    use body_panel_side, only: side_type
+    use body_trace, only: trace_type
+    use body_whole_sides, only: whole_sides
+    use deck_body_card, only: blame, warn
     use deck_job, only: asked_body_type => body_type, bound, job_type, patch_type
-    use geom_arc, only: arc_type, reversed
     implicit none (type, external)
     private
 
     public :: build_panels
 
+    !> What patches are built from and upon.
+    type :: world_type
+        type(asked_body_type) :: asked              !! the body as the deck has it
+        type(body_type) :: body                     !! the same, finished
+        type(trace_type), allocatable :: traces(:)  !! curves of its named cuts
+        type(panel_type), allocatable :: panels(:)  !! so far
+        real(dp) :: gap = 0.0_dp                    !! by which sides may miss, deck units
+    end type world_type
+
 contains
 
     !> Builds the panels of a body. One that can't be built is said of its card and left out.
-    pure subroutine build_panels(job, number, body, panels, faults)
+    pure subroutine build_panels(job, number, body, traces, panels, faults)
         type(job_type), intent(in) :: job                           !! what the deck asks for
         integer, intent(in) :: number                               !! which of its bodies
         type(body_type), intent(in) :: body                         !! with its lines and sections
+        type(trace_type), intent(in) :: traces(:)                   !! of its named cuts
         type(panel_type), allocatable, intent(out) :: panels(:)     !! in the order of the deck
         type(fault_list_type), intent(inout) :: faults              !! what is wrong is added
         type(error_type), allocatable :: error
         type(panel_type) :: panel
+        type(world_type) :: world
         integer :: i
 
-        allocate (panels(0))
-        do i = 1, size(job%body(number)%patch)
-            associate (asked => job%body(number)%patch(i))
-                if (.not. is_buildable(job%body(number), asked, body%lines)) cycle
-                call build_panel(asked, body, to_real(job%joint_gap), panel, error)
+        world%gap = to_real(job%joint_gap)
+        world%asked = job%body(number)
+        world%body = body
+        world%traces = traces
+        allocate (world%panels(0))
+        do i = 1, size(world%asked%patch)
+            associate (asked => world%asked%patch(i))
+                if (.not. is_buildable(world%asked, asked, body%lines)) cycle
+                call build_panel(asked, world, panel, error)
                 if (allocated(error)) then
                     call blame(asked%card, 2, 'patch '//trim(asked%name)//': '//error%message, &
                         faults)
-                else
-                    panels = [panels, panel]
+                    cycle
                 end if
+                if (any(panel%joint%is_inward)) call warn(asked%card, 2, 'patch '// &
+                    trim(asked%name)//' faces the other way than the skin beside it; name its '// &
+                    'sides the other way round', faults)
+                world%panels = [world%panels, panel]
             end associate
         end do
+        allocate (panels, source=world%panels)
     end subroutine build_panels
 
     !> True where the lines of a patch are there. (If not, that was said of their cards.)
@@ -66,153 +85,74 @@ contains
         end do
     end function is_buildable
 
-    !> Builds a panel. Fails where a corner or a side can't be found, and as `new_panel`.
-    pure subroutine build_panel(asked, body, gap, panel, error)
+    !> Builds a panel. Fails where a corner or a side can't be found, where there is nothing beside a
+    !> side that is to be tangent, and as `new_panel`.
+    pure subroutine build_panel(asked, world, panel, error)
         type(patch_type), intent(in) :: asked               !! as the deck has it
-        type(body_type), intent(in) :: body                 !! with its lines and sections
-        real(dp), intent(in) :: gap                         !! by which sides may miss, deck units
+        type(world_type), intent(in) :: world               !! what is there already
         type(panel_type), intent(out) :: panel              !! where there is no error
         type(error_type), allocatable, intent(out) :: error !! see above
-        type(side_type) :: side(4)
-        real(dp) :: corner(4)
-        integer :: i, line
-
-        do i = 1, 4
-            call find_corner(asked, body%lines, i, gap, corner(i), error)
-            if (allocated(error)) return
-        end do
-        do i = 1, 4
-            associate (first => corner(i), last => corner(1 + mod(i, 4)))
-                line = asked%side(i)%line
-                select case (asked%side(i)%kind)
-                case (bound%line)
-                    side(i) = line_side(body%lines(line), first, last)
-                    if (abs(last - first) <= 0.0_dp) call fail(error, cause%points_coincide, &
-                        'both corners of side '//to_text(i)//' are at station '//compact(first))
-                case (bound%station)
-                    call find_arc(asked, body, i, first, side(i), error)
-                case default
-                    line = asked%side(1 + mod(i, 4))%line
-                    side(i) = point_side([first, line_point(body%lines(line), first)])
-                end select
-            end associate
-            if (allocated(error)) return
-        end do
-        call new_panel(asked%name, side, asked%twist, gap, panel, error)
-    end subroutine build_panel
-
-    !> The station of a corner, between a side and the one before it.
-    pure subroutine find_corner(asked, lines, number, gap, corner, error)
-        type(patch_type), intent(in) :: asked               !! the patch
-        type(line_type), intent(in) :: lines(:)             !! of the body
-        integer, intent(in) :: number                       !! which corner, the side that begins
-        real(dp), intent(in) :: gap                         !! by which lines may miss, deck units
-        real(dp), intent(out) :: corner                     !! its station, deck units
-        type(error_type), allocatable, intent(out) :: error !! none, or more than one
-        real(dp), allocatable :: meetings(:)
-        real(dp) :: range(2)
-        integer :: before, after
-
-        before = past_point(asked, number - 1, -1)
-        after = past_point(asked, number, 1)
-        corner = 0.0_dp
-        if (asked%side(after)%kind == bound%station) then
-            corner = to_real(asked%side(after)%station)
-            call check_station(corner, lines(asked%side(before)%line), error)
-        else if (asked%side(before)%kind == bound%station) then
-            corner = to_real(asked%side(before)%station)
-            call check_station(corner, lines(asked%side(after)%line), error)
-        else
-            associate (first => lines(asked%side(before)%line), &
-                second => lines(asked%side(after)%line))
-                range = [max(first%from, second%from), min(first%to, second%to)]
-                if (asked%range%has_from) range(1) = max(range(1), to_real(asked%range%from))
-                if (asked%range%has_to) range(2) = min(range(2), to_real(asked%range%to))
-                meetings = meetings_of(first, second, range, gap)
-                if (size(meetings) == 1) then
-                    corner = meetings(1)
-                else
-                    call fail(error, cause%joint_gap, 'lines '//trim(first%name)//' and '// &
-                        trim(second%name)//meeting_words(first, second, range, meetings))
-                end if
-            end associate
-        end if
-    end subroutine find_corner
-
-    !> The number of a side, or, where that is a point, of the one behind it on the way round.
-    pure integer function past_point(asked, number, way) result(side)
-        type(patch_type), intent(in) :: asked   !! the patch
-        integer, intent(in) :: number           !! 0 to 5: 0 is side 4, 5 is side 1
-        integer, intent(in) :: way              !! 1: as the sides go round; -1: back
-        side = 1 + modulo(number - 1, 4)
-        if (asked%side(side)%kind == bound%point) side = 1 + modulo(side - 1 + way, 4)
-    end function past_point
-
-    !> Fails with `cause%beyond_lines` where a line is not at a station.
-    pure subroutine check_station(sta, line, error)
-        real(dp), intent(in) :: sta                         !! deck units
-        type(line_type), intent(in) :: line                 !! a control line
-        type(error_type), allocatable, intent(out) :: error !! see above
-        if (sta >= line%from .and. sta <= line%to) return
-        call fail(error, cause%beyond_lines, 'station '//compact(sta)//' is beyond line '// &
-            trim(line%name)//', which goes from station '//compact(line%from)//' to '// &
-            compact(line%to))
-    end subroutine check_station
-
-    !> What is wrong with the meetings of two lines.
-    pure function meeting_words(first, second, range, meetings) result(words)
-        type(line_type), intent(in) :: first    !! a line
-        type(line_type), intent(in) :: second   !! another
-        real(dp), intent(in) :: range(2)        !! where they are looked for, deck units
-        real(dp), intent(in) :: meetings(:)     !! stations, none or more than one
-        character(:), allocatable :: words
-        real(dp) :: nearest(2)
+        type(plan_type) :: plan
         integer :: i
 
-        if (size(meetings) > 1) then
-            words = ' meet at stations '//compact(meetings(1))
-            do i = 2, size(meetings)
-                words = words//', '//compact(meetings(i))
-            end do
-            words = words//'; say in FROM and TO which of them is a corner'
-        else if (.not. range(1) <= range(2)) then
-            words = ' have no station in common'
-        else
-            nearest = nearest_gap(first, second, range)
-            words = ' do not meet from station '//compact(range(1))//' to '//compact(range(2))// &
-                ': the gap is '//compact(nearest(2))//' at station '//compact(nearest(1))
-        end if
-    end function meeting_words
-
-    !> The arc at a station side: of the section that goes from the line before it to the one after
-    !> it, or back.
-    pure subroutine find_arc(asked, body, number, sta, side, error)
-        type(patch_type), intent(in) :: asked               !! the patch
-        type(body_type), intent(in) :: body                 !! with its sections
-        integer, intent(in) :: number                       !! which side
-        real(dp), intent(in) :: sta                         !! deck units
-        type(side_type), intent(out) :: side                !! the arc as it runs
-        type(error_type), allocatable, intent(out) :: error !! none there
-        type(arc_type) :: arc
-        integer :: ends(2), i
-
-        ends = [past_point(asked, number - 1, -1), past_point(asked, number + 1, 1)]
-        ends = asked%side(ends)%line
-        do i = 1, size(body%sections)
-            associate (section => body%sections(i))
-                if (sta < section%from .or. sta > section%to) cycle
-                if (.not. (all(section%line([1, 3]) == ends) .or. &
-                    all(section%line([3, 1]) == ends))) cycle
-                call section_arc(body%lines, section, sta, arc, error)
-                if (allocated(error)) return
-                if (section%line(1) == ends(2)) arc = reversed(arc)
-                side = arc_side(arc, sta)
-                return
-            end associate
+        plan%name = asked%name
+        plan%twists = asked%twist
+        plan%gap = world%gap
+        call find_sides(asked, world, plan%side, error)
+        if (allocated(error)) return
+        do i = 1, 4
+            if (.not. asked%side(i)%is_tangent) cycle
+            call find_beside(plan%side(i), world, plan%beside(i), error)
+            if (.not. allocated(error)) cycle
+            error%message = 'TANGENT'//to_text(i)//': side '//to_text(i)//' '//error%message
+            return
         end do
-        call fail(error, cause%beyond_lines, 'no section goes from line '// &
-            trim(body%lines(ends(1))%name)//' to '//trim(body%lines(ends(2))%name)// &
-            ' at station '//compact(sta)//'; its arc would be side '//to_text(number))
-    end subroutine find_arc
+        call new_panel(plan, panel, error)
+    end subroutine build_panel
+
+    !> Finds what lies beside a side: skin, else an edge of a panel, else the mirror image. Fails with
+    !> `cause%beyond_lines` where nothing does.
+    pure subroutine find_beside(side, world, beside, error)
+        type(side_type), intent(in) :: side                 !! no point
+        type(world_type), intent(in) :: world               !! what is there already
+        type(beside_type), intent(out) :: beside            !! what it is
+        type(error_type), allocatable, intent(out) :: error !! see above
+        integer :: i
+
+        call find_skin(world%body, side, world%gap, beside, error)
+        if (allocated(error) .or. beside%kind /= neighbour%none) return
+        do i = 1, size(world%panels)
+            call find_edge(world%panels(i)%surface, world%panels(i)%outward, side, world%gap, &
+                beside)
+            beside%name = world%panels(i)%name
+            if (beside%kind /= neighbour%none) return
+        end do
+        beside%name = 'MIRROR'
+        if (world%body%is_symmetric .and. is_in_mirror(side, world%gap)) then
+            beside%kind = neighbour%mirror
+        else
+            call fail(error, cause%beyond_lines, 'is not on the skin of a section all along, nor '// &
+                'on the whole side of a patch before it, nor in BL 0 of a symmetric body')
+        end if
+    end subroutine find_beside
+
+    !> Finds the sides of a patch: between lines the arcs of the sections that go from one to the
+    !> other; with cuts, and else, any curves trimmed where they meet.
+    pure subroutine find_sides(asked, world, side, error)
+        type(patch_type), intent(in) :: asked               !! as the deck has it
+        type(world_type), intent(in) :: world               !! lines, sections, cuts
+        type(side_type), intent(out) :: side(4)             !! where there is no error
+        type(error_type), allocatable, intent(out) :: error !! see above
+        type(error_type), allocatable :: trouble
+
+        if (any(asked%side%kind == bound%cut)) then
+            call trimmed_sides(asked, world%asked, world%body, world%traces, world%gap, side, error)
+            return
+        end if
+        call whole_sides(asked, world%body, world%gap, side, error)
+        if (.not. allocated(error) .or. all(asked%side%kind /= bound%station)) return
+        call trimmed_sides(asked, world%asked, world%body, world%traces, world%gap, side, trouble)
+        if (.not. allocated(trouble)) deallocate (error)
+    end subroutine find_sides
 
 end module body_build_panels

@@ -1,5 +1,5 @@
-!> A side of a panel: a part of a control line in space, the arc of a section at a station, or a
-!> point.
+!> A side of a panel: a part of a control line in space, of the arc of a section at a station, of a
+!> curve that a plane cuts from the skin, or a point.
 !>
 !> A part of a line is run through evenly in STA; where a view of it is vertical at an end, by the
 !> square of the parameter from there, so that the side has a tangent like any other.
@@ -9,26 +9,29 @@ module body_panel_side
     use body_line, only: line_point, line_type
     use geom_arc, only: arc_type, reversed
     use geom_arc_point, only: arc_point => point
-    use geom_bspline, only: bspline_type
+    use geom_bspline, only: bspline_type, spline_point
     use geom_chain, only: chain_jet, chain_type
     use geom_curve_fit, only: curve_function_type, fit_curve
     use geom_jet, only: jet_type
     use geom_place, only: place_at
     use geom_spline_fit, only: fit_knots
+    use geom_subarc, only: part_of
     implicit none (type, external)
     private
 
-    public :: side_type, line_side, arc_side, point_side, side_spline
+    public :: side_type, line_side, arc_side, curve_side, point_side, side_part, side_spline
 
     !> A side, run through from its first corner to its last.
     type, extends(curve_function_type) :: side_type
         logical :: is_point = .false.           !! it is the point `corner`
         logical :: is_arc = .false.             !! it is `arc` at station `from`
+        logical :: is_curve = .false.           !! it is `curve` from parameter `from` to `to`
         real(dp) :: corner(3) = 0.0_dp          !! deck units
         type(arc_type) :: arc                   !! x is BL, y is WL
+        type(bspline_type) :: curve             !! over 0 to 1
         type(line_type) :: line                 !! else: a part of this line
-        real(dp) :: from = 0.0_dp               !! STA where it begins, deck units
-        real(dp) :: to = 0.0_dp                 !! STA where it ends, deck units
+        real(dp) :: from = 0.0_dp               !! STA where it begins, deck units; of a curve: t
+        real(dp) :: to = 0.0_dp                 !! STA where it ends, deck units; of a curve: t
         logical :: is_vertical(2) = .false.     !! a view of the line is at its first, last corner
     contains
         procedure :: at => side_point
@@ -72,6 +75,35 @@ contains
         side%to = sta
     end function arc_side
 
+    !> A curve in space, from its start to its end.
+    pure type(side_type) function curve_side(curve) result(side)
+        type(bspline_type), intent(in) :: curve !! over 0 to 1
+        side%is_curve = .true.
+        side%curve = curve
+        side%to = 1.0_dp
+    end function curve_side
+
+    !> The part of a side between two parameters of it, from the first to the second.
+    pure type(side_type) function side_part(side, first, second) result(part)
+        type(side_type), intent(in) :: side !! any but a point
+        real(dp), intent(in) :: first       !! 0 to 1
+        real(dp), intent(in) :: second      !! 0 to 1, another
+        real(dp) :: ends(2)
+
+        if (side%is_arc) then
+            part = side
+            part%arc = part_of(side%arc, place_at(min(first, second)), place_at(max(first, second)))
+            if (first > second) part%arc = reversed(part%arc)
+        else if (side%is_curve) then
+            part = side
+            part%from = side%from + first*(side%to - side%from)
+            part%to = side%from + second*(side%to - side%from)
+        else
+            ends = [station_at(side, first), station_at(side, second)]
+            part = line_side(side%line, ends(1), ends(2))
+        end if
+    end function side_part
+
     !> A point.
     pure type(side_type) function point_side(corner) result(side)
         real(dp), intent(in) :: corner(3) !! deck units
@@ -91,6 +123,8 @@ contains
             point = f%corner
         else if (f%is_arc) then
             point = [f%from, arc_point(f%arc, place_at(t))]
+        else if (f%is_curve) then
+            point = spline_point(f%curve, (1.0_dp - t)*f%from + t*f%to)
         else
             sta = station_at(f, t)
             point = [sta, line_point(f%line, sta)]

@@ -9,9 +9,10 @@ module cut_inside
     use body_skin, only: skin_at, skin_type
     use cut_outline, only: cut_point_type, cut_type, note_type, outline_type
     use cut_plane, only: cut_kind, height_over, in_view, true_shape
-    use cut_point, only: across, give_bevel, left_of
+    use cut_point, only: give_bevel, left_of
     use geom_arc_point, only: slope_along
     use geom_place, only: is_finish, is_start, place_type
+    use geom_space, only: across
     use geom_zeros, only: function_type, zeros_of
     implicit none (type, external)
     private

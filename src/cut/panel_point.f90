@@ -11,9 +11,10 @@ module cut_panel_point
     use cut_outline, only: cut_point_type
     use cut_panel_walk, only: walk_type, uv_at
     use cut_plane, only: cut_kind, in_view, true_shape
-    use cut_point, only: across, give_bevel, left_of
+    use cut_point, only: give_bevel, left_of
     use geom_arc_point, only: slope_along
     use geom_coons, only: patch_jet_type
+    use geom_space, only: across
     use geom_surface_jet, only: second_jet
     implicit none (type, external)
     private

@@ -12,11 +12,12 @@ module cut_point
     use geom_arc, only: arc_type
     use geom_arc_point, only: curvature, slope, slope_along
     use geom_place, only: place_type
+    use geom_space, only: across
     implicit none (type, external)
     private
 
     public :: point_on_track, point_on_arc, tangent_of, turned_back
-    public :: across, left_of, give_bevel
+    public :: left_of, give_bevel
 
     !> Sine of the least angle between plane and skin at which points are moved along the skin.
     real(dp), parameter :: steepest = 1.0e-3_dp
@@ -100,14 +101,6 @@ contains
         way = way/norm2(way)
         way = outward*real(track%branch, dp)*way
     end function tangent_of
-
-    !> The vector product a x b.
-    pure function across(a, b) result(c)
-        real(dp), intent(in) :: a(3) !! any vector
-        real(dp), intent(in) :: b(3) !! any vector
-        real(dp) :: c(3)
-        c = cshift(a, 1)*cshift(b, 2) - cshift(a, 2)*cshift(b, 1)
-    end function across
 
     !> The unit vector in a plane to the left of a tangent, in the plane's view.
     pure function left_of(plane, way) result(left)

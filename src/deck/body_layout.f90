@@ -47,21 +47,23 @@ module deck_body_layout
         character(96) :: meaning = ''   !! what the card is for
     end type body_layout_type
 
-    !> A word that may stand behind the last field of a data card.
+    !> A word that may stand behind the last field of a data card or a PATCH card.
     type :: option_type
         character(8) :: word        !! the option
         character(80) :: meaning    !! what it says
     end type option_type
 
-    !> The options of data cards.
-    type(option_type), parameter, public :: option_words(6) = [ &
+    !> The options of data cards and of PATCH.
+    type(option_type), parameter, public :: option_words(7) = [ &
         option_type('DXDY', 'every end slope of the card is dx/dy; a vertical one is 0.'), &
         option_type('DXDY1', 'the slope at the first point is dx/dy'), &
         option_type('DXDY3', 'the slope at the last point is dx/dy'), &
         option_type('LAST', 'the slope is that at the last point'), &
         option_type('KNUCKLE', 'a slope break at the joint before this card is intended'), &
         option_type('MATCH', &
-        'the joint before this card has equal curvature: LOFT finds shoulder or rho')]
+        'the joint before this card has equal curvature: LOFT finds shoulder or rho'), &
+        option_type('TANGENT1', &
+        'the patch is tangent to the skin beside its side 1; TANGENT2, 3, 4: side 2, 3, 4')]
 
     !> The cards by name: `body_layout(body_card%section)`.
     type, public :: body_card_list
@@ -80,9 +82,10 @@ module deck_body_layout
     !> Which card is which.
     type(body_card_list), parameter, public :: body_card = body_card_list()
 
-    !> The options of the cards that have a slope at both ends, at one, and at none.
+    !> The options of the cards that have a slope at both ends, at one, at none, and of PATCH.
     character(*), parameter :: two_slopes = 'DXDY DXDY1 DXDY3 KNUCKLE MATCH', &
-        one_slope = 'LAST DXDY KNUCKLE', no_slope = 'KNUCKLE'
+        one_slope = 'LAST DXDY KNUCKLE', no_slope = 'KNUCKLE', &
+        four_sides = 'TANGENT1 TANGENT2 TANGENT3 TANGENT4'
 
     !> The cards of a body deck besides TITLE and UNITS.
     type(body_layout_type), parameter, public :: body_layout(40) = [ &
@@ -120,7 +123,7 @@ module deck_body_layout
         'data card of a SPLINE, BEZIER or FAIR line, or of FAIRED: one point; it has no word'), &
         body_layout_type('SECTION', '', '', &
         'a conic of the cross-section at every station of its lines'), &
-        body_layout_type('PATCH', '', '', &
+        body_layout_type('PATCH', '', four_sides, &
         'a Coons patch between four sides, counter-clockwise as seen from outside'), &
         body_layout_type('FAIRED', '', '', &
         'a closed outline at a station, faired near the points that follow; a cut by itself'), &

@@ -55,7 +55,7 @@ module deck_body_line_fields
         body_field_type(card%patch, 2, 'NAME', form%name, need%always, 'none', &
         'name of the patch'), &
         body_field_type(card%patch, 3, 'SIDE1', form%either, need%always, 'deck unit', &
-        'a line; or a station: the arc there between the sides beside it'), &
+        'a line, a cut by its name, or a station: the arc of a section there'), &
         body_field_type(card%patch, 4, 'SIDE2', form%either, need%always, 'deck unit', &
         'as SIDE1; POINT: the side is where the sides beside it meet'), &
         body_field_type(card%patch, 5, 'SIDE3', form%either, need%always, 'deck unit', &
@@ -65,9 +65,9 @@ module deck_body_line_fields
         body_field_type(card%patch, 7, 'BLEND', form%word, need%optional, 'none', &
         'twists: Adini''s, none, of the linear blend; else TWIST', 'TWIST FLAT LINEAR'), &
         body_field_type(card%patch, 8, 'FROM', form%number, need%optional, 'deck unit', &
-        'first station where its lines may meet'), &
+        'first station where its sides may meet'), &
         body_field_type(card%patch, 9, 'TO', form%number, need%optional, 'deck unit', &
-        'last station where its lines may meet'), &
+        'last station where its sides may meet'), &
         body_field_type(card%faired, 2, 'NAME', form%name, need%always, 'none', &
         'name of the outline'), &
         body_field_type(card%faired, 3, 'STA', form%number, need%always, 'deck unit', &

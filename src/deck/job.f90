@@ -83,6 +83,7 @@ module deck_job
         integer :: line = 1     !! a part of a line
         integer :: station = 2  !! the arc of a section at a station
         integer :: point = 3    !! where the sides beside it meet
+        integer :: cut = 4      !! a part of what a named cut takes from the skin
     end type bound_list
     type(bound_list), parameter, public :: bound = bound_list()
 
@@ -197,7 +198,9 @@ module deck_job
     type :: bound_type
         integer :: kind = 0             !! one of `bound%...`
         integer :: line = 0             !! that line
+        integer :: cut = 0              !! that cut
         type(decimal_type) :: station   !! that station
+        logical :: is_tangent = .false. !! the patch keeps the tangent planes of the skin there
     end type bound_type
 
     !> A patch between four sides, which go round counter-clockwise as seen from outside.

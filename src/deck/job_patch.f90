@@ -3,9 +3,12 @@ module deck_job_patch
     use base_fault, only: fault_list_type
     use base_text, only: to_text
     use deck_body_card, only: blame, card_type, field_text
+    use deck_body_check, only: has_option
+    use deck_body_layout, only: body_card
     use deck_body_value, only: decimal_in, is_filled, looks_like_number, real_in
     use deck_body_word, only: suggestion
-    use deck_job, only: bound, bound_type, origin, patch_type, range_type, twist, view
+    use deck_job, only: bound, bound_type, cut, name_length, origin, patch_type, range_type, &
+        twist, view
     use deck_job_list, only: append
     use deck_job_state, only: find_line, line_names, state_type, text_of
     implicit none (type, external)
@@ -18,7 +21,7 @@ module deck_job_patch
 
 contains
 
-    !> Takes a PATCH card. Its lines stand on cards before it.
+    !> Takes a PATCH card. Its lines and cuts stand on cards before it.
     pure subroutine take_patch(state, card, faults)
         type(state_type), intent(inout) :: state        !! the job so far
         type(card_type), intent(in) :: card             !! a card whose fields are sound
@@ -32,6 +35,7 @@ contains
         call check_name(state, card, faults)
         do i = 1, 4
             call take_side(state, card, first_side - 1 + i, item%side(i), faults)
+            item%side(i)%is_tangent = has_option(card, body_card%patch, 'TANGENT'//to_text(i))
         end do
         if (field_text(card, 7) == 'FLAT') item%twist = twist%none
         if (field_text(card, 7) == 'LINEAR') item%twist = twist%linear
@@ -67,7 +71,7 @@ contains
         end do
     end subroutine check_name
 
-    !> Reads a side: a station, the word POINT, or a line with a SIDE view.
+    !> Reads a side: a station, the word POINT, a line with a SIDE view, or else a cut by its name.
     pure subroutine take_side(state, card, field, side, faults)
         type(state_type), intent(in) :: state           !! the job so far
         type(card_type), intent(in) :: card             !! the card
@@ -84,16 +88,49 @@ contains
             side%kind = bound%line
             side%line = find_line(state, field_text(card, field))
             if (side%line == 0) then
-                call blame(card, field, 'there is no LINE '//field_text(card, field)// &
-                    suggestion(field_text(card, field), [text_of('POINT'), line_names(state)]), &
-                    faults)
+                call take_cut(state, card, field, side, faults)
             else if (state%body%line(side%line)%view(view%side)%origin == origin%none) then
                 call blame(card, field, 'LINE '//field_text(card, field)//' has no SIDE', faults)
             end if
         end if
     end subroutine take_side
 
-    !> A patch has at most one point for a side, and it and stations stand between lines.
+    !> Takes a side that is a cut of the open body; of a STATION card it is that station.
+    pure subroutine take_cut(state, card, field, side, faults)
+        type(state_type), intent(in) :: state           !! the job so far
+        type(card_type), intent(in) :: card             !! the card
+        integer, intent(in) :: field                    !! where the name stands
+        type(bound_type), intent(inout) :: side         !! what it is
+        type(fault_list_type), intent(inout) :: faults  !! what is wrong is added
+        character(name_length) :: names(state%cuts)
+        character(:), allocatable :: name
+        integer :: i
+
+        name = field_text(card, field)
+        names = [(state%body%cut(i)%name, i = 1, state%cuts)]
+        if (count(names == name) == 0) then
+            call blame(card, field, 'there is no LINE '//name//', and no cut of that name, on '// &
+                'the cards before'//suggestion(name, [text_of('POINT'), line_names(state), &
+                names]), faults)
+            return
+        else if (count(names == name) > 1) then
+            call blame(card, field, 'several cuts are named '//name//'; give each its own name', &
+                faults)
+            return
+        end if
+        side%cut = findloc(names, text_of(name), dim=1)
+        side%kind = bound%cut
+        associate (found => state%body%cut(side%cut))
+            if (found%kind /= cut%station) return
+            if (size(found%value) > 1) call blame(card, field, 'cut '//name//' has several '// &
+                'stations; a side is at one', faults)
+            side%kind = bound%station
+            side%station = found%value(1)
+        end associate
+    end subroutine take_cut
+
+    !> A patch has at most one point for a side; it and stations stand between lines or cuts. What
+    !> is TANGENT has skin beside it, and slopes across its sides.
     pure subroutine check_sides(item, faults)
         type(patch_type), intent(in) :: item            !! with its sides
         type(fault_list_type), intent(inout) :: faults  !! what is wrong is added
@@ -101,21 +138,36 @@ contains
 
         do i = 1, 4
             next = 1 + mod(i, 4)
-            if (item%side(i)%kind /= bound%line .and. item%side(next)%kind /= bound%line) then
+            if (.not. (is_long(item%side(i)) .or. is_long(item%side(next)))) then
                 call blame(item%card, first_side - 1 + next, 'sides '//to_text(i)//' and '// &
                     to_text(next)//' are both no lines; a station or a POINT stands between '// &
-                    'two lines', faults)
+                    'two lines or cuts', faults)
                 return
             end if
+            if (item%side(i)%is_tangent .and. item%side(i)%kind == bound%point) call blame( &
+                item%card, first_side - 1 + i, 'TANGENT'//to_text(i)//' of a side that is a '// &
+                'POINT; it has no skin beside it', faults)
+            if (item%side(i)%is_tangent .and. item%twist == twist%linear) call blame(item%card, &
+                7, 'LINEAR has no slopes across its sides; TANGENT'//to_text(i)//' takes TWIST '// &
+                'or FLAT', faults)
         end do
         if (count(item%side%kind == bound%point) > 1) call blame(item%card, first_side, &
             'a patch has one POINT for a side at most', faults)
         do i = 1, 4
             next = 1 + mod(i, 4)
-            if (item%side(i)%kind /= bound%line .or. item%side(next)%kind /= bound%line) cycle
-            if (item%side(i)%line == item%side(next)%line) call blame(item%card, &
-                first_side - 1 + next, 'a line twice in a row', faults)
+            if (item%side(i)%kind /= item%side(next)%kind) cycle
+            if (item%side(i)%line /= item%side(next)%line) cycle
+            if (item%side(i)%cut /= item%side(next)%cut) cycle
+            call blame(item%card, first_side - 1 + next, 'a '// &
+                trim(merge('line', 'cut ', item%side(i)%kind == bound%line))// &
+                ' twice in a row', faults)
         end do
     end subroutine check_sides
+
+    !> True for a side that may stand beside any other: a line or a cut along the body.
+    pure logical function is_long(side)
+        type(bound_type), intent(in) :: side !! of a patch
+        is_long = side%kind == bound%line .or. side%kind == bound%cut
+    end function is_long
 
 end module deck_job_patch

@@ -6,9 +6,9 @@ module export_drawing_opposite
     use body_body, only: body_type, smooth_stops
     use body_offset, only: foot_at, foot_type, is_on_section, settle_inside, way_inside
     use cut_plane, only: in_space, in_view, plane_type, true_shape
-    use cut_point, only: across
     use export_drawing_outside, only: outside_type
     use export_drawing_path, only: path_type
+    use geom_space, only: across
     implicit none (type, external)
     private
 

@@ -9,6 +9,7 @@ module export_mesh_edge
     use base_kinds, only: dp
     use export_mesh, only: mesh_type
     use export_mesh_strip, only: facet_normal
+    use geom_space, only: angle_between
     implicit none (type, external)
     private
 
@@ -95,14 +96,5 @@ contains
         real(dp), intent(in) :: stops(:)    !! stations, deck units
         is_on_stop = is_equal(sta(1), sta(2)) .and. any(is_equal(sta(1), stops))
     end function is_on_stop
-
-    !> The angle between two normals, radians; 0 where one is none.
-    pure real(dp) function angle_between(first, second) result(angle)
-        real(dp), intent(in) :: first(3)    !! of unit length, or zero
-        real(dp), intent(in) :: second(3)   !! of unit length, or zero
-        angle = 0.0_dp
-        if (.not. (norm2(first) > 0.0_dp .and. norm2(second) > 0.0_dp)) return
-        angle = 2.0_dp*asin(min(1.0_dp, 0.5_dp*norm2(first - second)))
-    end function angle_between
 
 end module export_mesh_edge

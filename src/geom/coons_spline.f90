@@ -5,7 +5,8 @@
 !> fitted: the surface that has the patch's points at the nodes is the patch, but for rounding.
 !>
 !> Cross slopes go from corner to corner by Hermite's functions, (12): the tangents of the sides at
-!> the ends, and twists there, Adini's or zero.
+!> the ends, and twists there, Adini's or zero; or they are given, as a spline of degree 5 too. Then
+!> the twists of the corners are those of the given ones.
 !>
 !> Source: seed 000, "Coons patches", (1), (8), (12).
 module geom_coons_spline
@@ -20,12 +21,13 @@ module geom_coons_spline
     implicit none (type, external)
     private
 
-    public :: spline_frame_type, new_spline_frame, coons_surface
+    public :: spline_frame_type, new_spline_frame, corner_of, settle_twists, coons_surface
 
     !> Four splines of degree 5 over 0 to 1, each along growing u or v: side 1 where v = 0, side 2
     !> where u = 1, side 3 where v = 1, side 4 where u = 0.
     type, extends(frame_type) :: spline_frame_type
         type(bspline_type) :: side(4)                   !! the sides
+        type(bspline_type) :: ribbon(4)                 !! cross slopes; without poles: not given
         real(dp) :: slope_u(3, 0:1, 0:1) = 0.0_dp       !! tangents along u in the corners (:, u, v)
         real(dp) :: slope_v(3, 0:1, 0:1) = 0.0_dp       !! tangents along v there
         real(dp) :: twist(3, 0:1, 0:1) = 0.0_dp         !! twists there
@@ -72,6 +74,7 @@ contains
         real(dp), intent(in) :: t                   !! v
         real(dp) :: jet(3, 0:2, 0:2)
         jet = side_jet(f%side(4 - 2*side), f%slope_u(:, side, :), f%twist(:, side, :), t)
+        call take_ribbon(f%ribbon(4 - 2*side), t, jet)
     end function side_u
 
     !> The side v = 0 or 1 with its cross slope.
@@ -81,7 +84,54 @@ contains
         real(dp), intent(in) :: t                   !! u
         real(dp) :: jet(3, 0:2, 0:2)
         jet = side_jet(f%side(1 + 2*side), f%slope_v(:, :, side), f%twist(:, :, side), t)
+        call take_ribbon(f%ribbon(1 + 2*side), t, jet)
     end function side_v
+
+    !> Puts a cross slope that is given in the place of the other.
+    pure subroutine take_ribbon(ribbon, t, jet)
+        type(bspline_type), intent(in) :: ribbon        !! of a side
+        real(dp), intent(in) :: t                       !! 0 to 1
+        real(dp), intent(inout) :: jet(3, 0:2, 0:2)     !! of the side
+        if (.not. allocated(ribbon%pole)) return
+        call spline_jet(ribbon, t, jet(:, 1, 0), jet(:, 1, 1), jet(:, 1, 2))
+    end subroutine take_ribbon
+
+    !> The corner (u, v) where a side begins or ends, along growing u or v.
+    pure function corner_of(number, end) result(uv)
+        integer, intent(in) :: number   !! which side
+        integer, intent(in) :: end      !! 0 where it begins, 1 where it ends
+        integer :: uv(2)
+        if (mod(number, 2) == 1) then
+            uv = [end, number/2]
+        else
+            uv = [2 - number/2, end]
+        end if
+    end function corner_of
+
+    !> Takes the twists of the corners from the ribbons that are given, the mean where two meet; the
+    !> other cross slopes then go by them.
+    pure subroutine settle_twists(frame)
+        type(spline_frame_type), intent(inout) :: frame !! with its ribbons
+        real(dp) :: sum(3, 0:1, 0:1), at(3), first(3), second(3)
+        integer :: number, end, uv(2), met(0:1, 0:1)
+
+        met = 0
+        sum = 0.0_dp
+        do number = 1, 4
+            if (.not. allocated(frame%ribbon(number)%pole)) cycle
+            do end = 0, 1
+                uv = corner_of(number, end)
+                call spline_jet(frame%ribbon(number), real(end, dp), at, first, second)
+                sum(:, uv(1), uv(2)) = sum(:, uv(1), uv(2)) + first
+                met(uv(1), uv(2)) = met(uv(1), uv(2)) + 1
+            end do
+        end do
+        do end = 0, 3
+            uv = [mod(end, 2), end/2]
+            if (met(uv(1), uv(2)) > 0) frame%twist(:, uv(1), uv(2)) = &
+                sum(:, uv(1), uv(2))/real(met(uv(1), uv(2)), dp)
+        end do
+    end subroutine settle_twists
 
     !> A side with its cross slope, both with their derivatives along it.
     pure function side_jet(side, slope, twist, t) result(jet)
@@ -116,8 +166,8 @@ contains
         integer :: i, j
 
         patch = new_coons(frame, kind)
-        u_breaks = merged(spline_breaks(frame%side(1)), spline_breaks(frame%side(3)))
-        v_breaks = merged(spline_breaks(frame%side(2)), spline_breaks(frame%side(4)))
+        u_breaks = breaks_along(frame, 1)
+        v_breaks = breaks_along(frame, 2)
         u = fit_nodes(u_breaks, degree)
         v = fit_nodes(v_breaks, degree)
         allocate (value(3*size(v), size(u)), pole(3*size(v), size(u)))
@@ -139,6 +189,20 @@ contains
         surface%pole = reshape(pole, [3, size(u), size(v)])
         allocate (surface%weight(size(u), size(v)), source=1.0_dp)
     end subroutine coons_surface
+
+    !> The breaks of a side and the one opposite, and of their ribbons.
+    pure function breaks_along(frame, number) result(breaks)
+        type(spline_frame_type), intent(in) :: frame    !! the sides
+        integer, intent(in) :: number                   !! 1 or 2
+        real(dp), allocatable :: breaks(:)
+        integer :: i
+        allocate (breaks(0))
+        breaks = merged(spline_breaks(frame%side(number)), spline_breaks(frame%side(number + 2)))
+        do i = number, number + 2, 2
+            if (allocated(frame%ribbon(i)%pole)) &
+                breaks = merged(breaks, spline_breaks(frame%ribbon(i)))
+        end do
+    end function breaks_along
 
     !> The breaks of two splines over 0 to 1, rising, each once.
     pure function merged(first, second) result(breaks)

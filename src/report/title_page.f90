@@ -106,6 +106,9 @@ contains
         do i = 1, size(body%section)
             call add(body%section(i)%card, cards)
         end do
+        do i = 1, size(body%patch)
+            call add(body%patch(i)%card, cards)
+        end do
         do i = 1, size(body%outline)
             call add(body%outline(i)%card, cards)
             do k = 1, size(body%outline(i)%piece)
