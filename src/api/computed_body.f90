@@ -143,8 +143,8 @@ contains
         end do
     end subroutine cuts_of_body
 
-    !> The curves of the cuts that are sides of patches. What is wrong with a cut is said where it is
-    !> made.
+    !> The curves of the cuts that are sides of patches. What is wrong with a cut is said where it
+    !> is made.
     function traces_of_sides(asked, body) result(traces)
         type(asked_body_type), intent(in) :: asked  !! as the deck has it
         type(body_type), intent(in) :: body         !! as built

@@ -13,10 +13,10 @@ module body_beside
     use body_skin, only: skin_at, skin_type
     use deck_job, only: name_length
     use geom_arc, only: arc_type
+    use geom_arc_point, only: point
     use geom_bspline_surface, only: bspline_surface_type, surface_jet
-    use geom_place, only: place_at, place_type
+    use geom_place, only: place_at
     use geom_space, only: across, angle_between
-    use geom_twofold, only: twofold
     use geom_vector, only: cross
     implicit none (type, external)
     private
@@ -53,6 +53,9 @@ module body_beside
 
     !> Points of a side, less one, at which it is looked what it lies on.
     integer, parameter :: looks = 8
+    !> Steps that make a place steady, and the step of a difference.
+    integer, parameter :: steps = 4
+    real(dp), parameter :: small_step = 1.0e-6_dp
 
 contains
 
@@ -77,39 +80,54 @@ contains
         end select
     end function normal_beside
 
-    !> The skin of a section where a point lies on it: at its station, at the place of the arc that
-    !> has its shares of the ends, s0 : s2 = sqrt(b0) : sqrt(b2) with the barycentric coordinates of
-    !> the point in the triangle of the arc.
+    !> The skin of a section where a point lies on it: at its station, at the nearest place of the
+    !> arc.
     pure type(skin_type) function skin_by(body, number, at) result(skin)
         type(body_type), intent(in) :: body     !! finished
         integer, intent(in) :: number           !! of the section
         real(dp), intent(in) :: at(3)           !! deck units
         type(error_type), allocatable :: error
-        type(place_type) :: place
         type(arc_type) :: arc
-        real(dp) :: sta, b0, b2, chord(2)
+        real(dp) :: sta, t
 
         associate (section => body%sections(number))
             sta = min(max(at(1), section%from), section%to)
             call section_arc(body%lines, section, sta, arc, error)
-            place = place_at(0.5_dp)
-            if (.not. allocated(error)) then
-                chord = arc%finish - arc%start
-                if (arc%is_line) then
-                    b2 = dot_product(at(2:) - arc%start, chord)/dot_product(chord, chord)
-                    place = place_at(min(max(b2, 0.0_dp), 1.0_dp))
-                else
-                    b0 = cross(at(2:) - arc%finish, arc%finish_tangent) &
-                        /cross(-chord, arc%finish_tangent)
-                    b2 = cross(at(2:) - arc%start, arc%start_tangent) &
-                        /cross(chord, arc%start_tangent)
-                    if (max(b0, b2) > 0.0_dp) place = place_type(twofold(sqrt(max(b0, 0.0_dp))), &
-                        twofold(sqrt(max(b2, 0.0_dp))))
-                end if
-            end if
-            skin = skin_at(body%lines, section, sta, place)
+            t = 0.5_dp
+            if (.not. allocated(error)) t = place_near(arc, at(2:))
+            skin = skin_at(body%lines, section, sta, place_at(t))
         end associate
     end function skin_by
+
+    !> The parameter of an arc where a point beside it is nearest. It begins where the shares of the
+    !> ends are, s0 : s2 = sqrt(b0) : sqrt(b2) with the barycentric coordinates of the point in the
+    !> triangle of the arc, which are exact on the arc but not steady near its ends; steps along the
+    !> tangent make it so.
+    pure real(dp) function place_near(arc, at) result(t)
+        type(arc_type), intent(in) :: arc       !! any
+        real(dp), intent(in) :: at(2)           !! BL, WL, deck units
+        real(dp) :: chord(2), share(2), way(2), ends(2)
+        integer :: i
+
+        chord = arc%finish - arc%start
+        if (arc%is_line) then
+            t = dot_product(at - arc%start, chord)/dot_product(chord, chord)
+            t = min(max(t, 0.0_dp), 1.0_dp)
+            return
+        end if
+        share = [cross(at - arc%finish, arc%finish_tangent)/cross(-chord, arc%finish_tangent), &
+            cross(at - arc%start, arc%start_tangent)/cross(chord, arc%start_tangent)]
+        share = sqrt(max(share, 0.0_dp))
+        t = 0.5_dp
+        if (sum(share) > 0.0_dp) t = share(2)/sum(share)
+        do i = 1, steps
+            ends = [max(t - small_step, 0.0_dp), min(t + small_step, 1.0_dp)]
+            way = (point(arc, place_at(ends(2))) - point(arc, place_at(ends(1)))) &
+                /(ends(2) - ends(1))
+            t = t + dot_product(at - point(arc, place_at(t)), way)/dot_product(way, way)
+            t = min(max(t, 0.0_dp), 1.0_dp)
+        end do
+    end function place_near
 
     !> The normal of a panel at an edge.
     pure function edge_normal(edge, t) result(normal)

@@ -12,7 +12,7 @@ module body_build_panels
     use body_line, only: line_type
     use body_panel, only: new_panel, panel_type, plan_type
     use body_panel_side, only: side_type
-    use body_trace, only: trace_type
+    use body_trace, only: trace_type, world_type
     use body_whole_sides, only: whole_sides
     use deck_body_card, only: blame, warn
     use deck_job, only: asked_body_type => body_type, bound, job_type, patch_type
@@ -20,15 +20,6 @@ module body_build_panels
     private
 
     public :: build_panels
-
-    !> What patches are built from and upon.
-    type :: world_type
-        type(asked_body_type) :: asked              !! the body as the deck has it
-        type(body_type) :: body                     !! the same, finished
-        type(trace_type), allocatable :: traces(:)  !! curves of its named cuts
-        type(panel_type), allocatable :: panels(:)  !! so far
-        real(dp) :: gap = 0.0_dp                    !! by which sides may miss, deck units
-    end type world_type
 
 contains
 
@@ -49,11 +40,11 @@ contains
         world%asked = job%body(number)
         world%body = body
         world%traces = traces
-        allocate (world%panels(0))
+        allocate (panels(0))
         do i = 1, size(world%asked%patch)
             associate (asked => world%asked%patch(i))
                 if (.not. is_buildable(world%asked, asked, body%lines)) cycle
-                call build_panel(asked, world, panel, error)
+                call build_panel(asked, world, panels, panel, error)
                 if (allocated(error)) then
                     call blame(asked%card, 2, 'patch '//trim(asked%name)//': '//error%message, &
                         faults)
@@ -62,10 +53,9 @@ contains
                 if (any(panel%joint%is_inward)) call warn(asked%card, 2, 'patch '// &
                     trim(asked%name)//' faces the other way than the skin beside it; name its '// &
                     'sides the other way round', faults)
-                world%panels = [world%panels, panel]
+                panels = [panels, panel]
             end associate
         end do
-        allocate (panels, source=world%panels)
     end subroutine build_panels
 
     !> True where the lines of a patch are there. (If not, that was said of their cards.)
@@ -85,11 +75,12 @@ contains
         end do
     end function is_buildable
 
-    !> Builds a panel. Fails where a corner or a side can't be found, where there is nothing beside a
-    !> side that is to be tangent, and as `new_panel`.
-    pure subroutine build_panel(asked, world, panel, error)
+    !> Builds a panel. Fails where a corner or a side can't be found, where there is nothing beside
+    !> a side that is to be tangent, and as `new_panel`.
+    pure subroutine build_panel(asked, world, panels, panel, error)
         type(patch_type), intent(in) :: asked               !! as the deck has it
-        type(world_type), intent(in) :: world               !! what is there already
+        type(world_type), intent(in) :: world               !! what sides are taken from
+        type(panel_type), intent(in) :: panels(:)           !! built before it
         type(panel_type), intent(out) :: panel              !! where there is no error
         type(error_type), allocatable, intent(out) :: error !! see above
         type(plan_type) :: plan
@@ -102,7 +93,7 @@ contains
         if (allocated(error)) return
         do i = 1, 4
             if (.not. asked%side(i)%is_tangent) cycle
-            call find_beside(plan%side(i), world, plan%beside(i), error)
+            call find_beside(plan%side(i), world, panels, plan%beside(i), error)
             if (.not. allocated(error)) cycle
             error%message = 'TANGENT'//to_text(i)//': side '//to_text(i)//' '//error%message
             return
@@ -110,29 +101,29 @@ contains
         call new_panel(plan, panel, error)
     end subroutine build_panel
 
-    !> Finds what lies beside a side: skin, else an edge of a panel, else the mirror image. Fails with
-    !> `cause%beyond_lines` where nothing does.
-    pure subroutine find_beside(side, world, beside, error)
+    !> Finds what lies beside a side: skin, else an edge of a panel, else the mirror image. Fails
+    !> with `cause%beyond_lines` where nothing does.
+    pure subroutine find_beside(side, world, panels, beside, error)
         type(side_type), intent(in) :: side                 !! no point
-        type(world_type), intent(in) :: world               !! what is there already
+        type(world_type), intent(in) :: world               !! sections
+        type(panel_type), intent(in) :: panels(:)           !! built before
         type(beside_type), intent(out) :: beside            !! what it is
         type(error_type), allocatable, intent(out) :: error !! see above
         integer :: i
 
         call find_skin(world%body, side, world%gap, beside, error)
         if (allocated(error) .or. beside%kind /= neighbour%none) return
-        do i = 1, size(world%panels)
-            call find_edge(world%panels(i)%surface, world%panels(i)%outward, side, world%gap, &
-                beside)
-            beside%name = world%panels(i)%name
+        do i = 1, size(panels)
+            call find_edge(panels(i)%surface, panels(i)%outward, side, world%gap, beside)
+            beside%name = panels(i)%name
             if (beside%kind /= neighbour%none) return
         end do
         beside%name = 'MIRROR'
         if (world%body%is_symmetric .and. is_in_mirror(side, world%gap)) then
             beside%kind = neighbour%mirror
         else
-            call fail(error, cause%beyond_lines, 'is not on the skin of a section all along, nor '// &
-                'on the whole side of a patch before it, nor in BL 0 of a symmetric body')
+            call fail(error, cause%beyond_lines, 'is not on the skin of a section all along, '// &
+                'nor on the whole side of a patch before it, nor in BL 0 of a symmetric body')
         end if
     end subroutine find_beside
 
@@ -146,12 +137,12 @@ contains
         type(error_type), allocatable :: trouble
 
         if (any(asked%side%kind == bound%cut)) then
-            call trimmed_sides(asked, world%asked, world%body, world%traces, world%gap, side, error)
+            call trimmed_sides(asked, world, side, error)
             return
         end if
         call whole_sides(asked, world%body, world%gap, side, error)
         if (.not. allocated(error) .or. all(asked%side%kind /= bound%station)) return
-        call trimmed_sides(asked, world%asked, world%body, world%traces, world%gap, side, trouble)
+        call trimmed_sides(asked, world, side, trouble)
         if (.not. allocated(trouble)) deallocate (error)
     end subroutine find_sides
 

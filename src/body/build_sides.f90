@@ -6,11 +6,11 @@ module body_build_sides
     use base_error, only: cause, error_type, fail
     use base_kinds, only: dp
     use base_text, only: compact, to_text
-    use body_body, only: body_type
     use body_contact, only: contact_type, contacts_of, nearest_contact
-    use body_panel_side, only: line_side, point_side, side_part, side_type
-    use body_trace, only: arcs_at, trace_type
-    use deck_job, only: asked_body_type => body_type, bound, patch_type, range_type
+    use body_panel_side, only: point_side, side_part, side_type
+    use body_side_curves, only: list_curves, side_words
+    use body_trace, only: world_type
+    use deck_job, only: bound, patch_type, range_type
     implicit none (type, external)
     private
 
@@ -36,29 +36,29 @@ module body_build_sides
         type(range_type) :: range   !! stations where they may meet
     end type rule_type
 
+    !> Places that are told of one pair of sides.
+    integer, parameter :: most_told = 4
+
 contains
 
     !> The four sides, trimmed. Fails with `cause%joint_gap` where sides do not meet, or in several
     !> places, and with `cause%beyond_lines` where a side has no curve.
-    pure subroutine trimmed_sides(asked, deck, body, traces, gap, side, error)
+    pure subroutine trimmed_sides(asked, world, side, error)
         type(patch_type), intent(in) :: asked               !! the patch
-        type(asked_body_type), intent(in) :: deck           !! the body as the deck has it
-        type(body_type), intent(in) :: body                 !! the same, finished
-        type(trace_type), intent(in) :: traces(:)           !! of its cuts
-        real(dp), intent(in) :: gap                         !! by which sides may miss, deck units
+        type(world_type), intent(in) :: world               !! lines, sections, cuts
         type(side_type), intent(out) :: side(4)             !! from corner to corner
         type(error_type), allocatable, intent(out) :: error !! see above
         type(leg_type), allocatable :: leg(:)
         type(rule_type) :: rule
         integer :: i, n
 
-        rule = rule_type(gap, asked%range)
+        rule = rule_type(world%gap, asked%range)
         n = count(asked%side%kind /= bound%point)
         allocate (leg(n))
         leg%side = pack([1, 2, 3, 4], asked%side%kind /= bound%point)
         do i = 1, n
-            leg(i)%words = side_words(asked, deck, body, leg(i)%side)
-            call list_curves(asked, leg(i)%side, body, traces, leg(i)%curve, error)
+            leg(i)%words = side_words(asked, world, leg(i)%side)
+            call list_curves(asked, leg(i)%side, world, leg(i)%curve, error)
             if (allocated(error)) error%message = leg(i)%words//' '//error%message
             if (allocated(error)) return
         end do
@@ -78,41 +78,6 @@ contains
         i = findloc(asked%side%kind, bound%point, dim=1)
         if (i > 0) side(i) = point_side(side(1 + mod(i, 4))%at(0.0_dp))
     end subroutine trimmed_sides
-
-    !> The curves that a side may be a part of. Fails with `cause%beyond_lines` where there are none.
-    pure subroutine list_curves(asked, number, body, traces, curve, error)
-        type(patch_type), intent(in) :: asked                       !! the patch
-        integer, intent(in) :: number                               !! which side; no POINT
-        type(body_type), intent(in) :: body                         !! finished
-        type(trace_type), intent(in) :: traces(:)                   !! of its cuts
-        type(side_type), allocatable, intent(out) :: curve(:)       !! whole
-        type(error_type), allocatable, intent(out) :: error         !! see above
-        type(trace_type), allocatable :: found(:)
-        real(dp) :: ends(2)
-        integer :: i
-
-        allocate (curve(0), found(0))
-        associate (side => asked%side(number))
-            if (side%kind == bound%line) then
-                ends = [body%lines(side%line)%from, body%lines(side%line)%to]
-                if (asked%range%has_from) ends(1) = max(ends(1), to_real(asked%range%from))
-                if (asked%range%has_to) ends(2) = min(ends(2), to_real(asked%range%to))
-                if (ends(1) < ends(2)) then
-                    curve = [line_side(body%lines(side%line), ends(1), ends(2))]
-                else
-                    call fail(error, cause%beyond_lines, 'is not between FROM and TO')
-                end if
-                return
-            end if
-            if (side%kind == bound%station) found = arcs_at(body, to_real(side%station))
-            if (side%kind == bound%cut) found = pack(traces, traces%cut == side%cut)
-        end associate
-        do i = 1, size(found)
-            curve = [curve, found(i)%side]
-        end do
-        if (size(curve) == 0) call fail(error, cause%beyond_lines, &
-            'meets no section: there is no curve of it on the skin')
-    end subroutine list_curves
 
     !> Finds where the curves of two sides meet, between FROM and TO.
     pure subroutine list_meetings(first, second, rule, meeting)
@@ -176,7 +141,8 @@ contains
         end associate
     end function is_long
 
-    !> Trims the curve of a side. Fails with `cause%joint_gap` where it meets the next more than once.
+    !> Trims the curve of a side. Fails with `cause%joint_gap` where it meets the next more than
+    !> once.
     pure subroutine trim_side(before, leg, after, side, error)
         type(leg_type), intent(in) :: before                !! the side before it
         type(leg_type), intent(in) :: leg                   !! the side
@@ -189,7 +155,7 @@ contains
             ends => leg%meeting(leg%taken, after)%contact)
             if (size(ends) > 1) then
                 call fail(error, cause%joint_gap, leg%words//' meets the next at')
-                do i = 1, size(ends)
+                do i = 1, min(size(ends), most_told)
                     error%message = error%message//' '//in_space(ends(i)%at)//';'
                 end do
                 error%message = error%message//' say in FROM and TO which it is'
@@ -266,27 +232,6 @@ contains
         end do
         meet = .false.
     end function meet
-
-    !> What a side is, in words.
-    pure function side_words(asked, deck, body, number) result(words)
-        type(patch_type), intent(in) :: asked       !! the patch
-        type(asked_body_type), intent(in) :: deck   !! the body as the deck has it
-        type(body_type), intent(in) :: body         !! the same, finished
-        integer, intent(in) :: number               !! which side
-        character(:), allocatable :: words
-
-        words = 'side '//to_text(number)
-        associate (side => asked%side(number))
-            select case (side%kind)
-            case (bound%line)
-                words = words//' (line '//trim(body%lines(side%line)%name)//')'
-            case (bound%cut)
-                words = words//' (cut '//trim(deck%cut(side%cut)%name)//')'
-            case (bound%station)
-                words = words//' (station '//compact(to_real(side%station))//')'
-            end select
-        end associate
-    end function side_words
 
     !> A point in a sentence.
     pure function in_space(at) result(words)

@@ -86,7 +86,7 @@ contains
         end do
         do k = 0, samples
             do i = 0, samples
-                if (far(i, k) > minval(far(i - 1:i + 1, k - 1:k + 1))) cycle
+                if (.not. far(i, k) <= minval(far(i - 1:i + 1, k - 1:k + 1))) cycle
                 contact = settled(first, second, real([i, k], dp)/real(samples, dp))
                 minima = [minima, contact]
             end do
@@ -126,8 +126,8 @@ contains
         end function gap_at
     end function settled
 
-    !> The step that makes two straight curves meet as nearly as they can; a parameter at an end that
-    !> it would lead beyond is kept, and the other one moved alone.
+    !> The step that makes two straight curves meet as nearly as they can; a parameter at an end
+    !> that it would lead beyond is kept, and the other one moved alone.
     pure function step_of(u, v, way, t) result(step)
         real(dp), intent(in) :: u(3)    !! slope of the first curve
         real(dp), intent(in) :: v(3)    !! slope of the second curve

@@ -67,8 +67,8 @@ contains
     !> The panel of a plan.
     !>
     !> Fails with `cause%joint_gap` where sides do not meet, or where the panel can't be tangent to
-    !> what lies beside it; with `cause%no_convergence` where a side can't be made a spline: it has a
-    !> corner.
+    !> what lies beside it; with `cause%no_convergence` where a side can't be made a spline: it has
+    !> a corner.
     pure subroutine new_panel(plan, panel, error)
         type(plan_type), intent(in) :: plan                 !! what it is to be
         type(panel_type), intent(out) :: panel              !! where there is no error
@@ -140,8 +140,8 @@ contains
                 joint%worst = at
             end do
             if (joint%angle <= tangency_tolerance) return
-            call fail(error, cause%joint_gap, 'TANGENT'//to_text(number)//': the normals of the '// &
-                'patch and of '//trim(joint%name)//' differ by up to '//compact(joint%angle)// &
+            call fail(error, cause%joint_gap, 'TANGENT'//to_text(number)//': the normals of '// &
+                'the patch and of '//trim(joint%name)//' differ by up to '//compact(joint%angle)// &
                 ' degrees along side '//to_text(number)//', at station '// &
                 compact(joint%worst(1))//'; '//compact(tangency_tolerance)//' is allowed: the '// &
                 'skins beside two sides bend too differently in their corner')

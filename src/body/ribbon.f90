@@ -3,7 +3,8 @@
 !> Between the corners the slope goes as on any other side, by Hermite's functions from the tangents
 !> of the sides that begin there and the twists; then its part along the normal n of the neighbour
 !> is taken away, R = R0 - (R0.n) n. In a corner R0 is a tangent of the next side: this must lie in
-!> the tangent plane there, or nothing is tangent to both.
+!> the tangent plane there, or nothing is tangent to both. What little it is beside it stays there
+!> and fades to the middle, so that the panel keeps its sides.
 module body_ribbon
     use base_constants, only: degrees
     use base_error, only: cause, error_type, fail
@@ -28,18 +29,19 @@ module body_ribbon
         logical :: is_turned = .false.              !! the side of the card runs the other way
         real(dp) :: slope(3, 0:1) = 0.0_dp          !! across it in its corners
         real(dp) :: twist(3, 0:1) = 0.0_dp          !! there
+        real(dp) :: rest(3, 0:1) = 0.0_dp           !! what slopes are beside the tangent plane
     contains
         procedure :: at => ribbon_at
     end type ribbon_type
 
-    !> Where the skin bends suddenly a ribbon is fitted less closely: tolerances one after the other.
+    !> Where the skin bends suddenly a ribbon is fitted less closely: tolerances one after another.
     real(dp), parameter :: looser(3) = [1.0_dp, 1.0e3_dp, 2.0e4_dp]
 
 contains
 
-    !> Gives a side of a frame its ribbon. Fails with `cause%joint_gap` where a side beside it leaves
-    !> the tangent plane in the corner, and with `cause%no_convergence` where the skin has an edge
-    !> along the side.
+    !> Gives a side of a frame its ribbon. Fails with `cause%joint_gap` where a side beside it
+    !> leaves the tangent plane in the corner, and with `cause%no_convergence` where the skin has an
+    !> edge across the side.
     pure subroutine add_ribbon(number, beside, frame, error)
         integer, intent(in) :: number                       !! which side
         type(beside_type), intent(in) :: beside             !! what lies beside it
@@ -72,25 +74,26 @@ contains
 
     !> Looks whether the side that begins in a corner does so in the tangent plane.
     pure subroutine check_corner(ribbon, number, end, error)
-        type(ribbon_type), intent(in) :: ribbon             !! with its slopes
+        type(ribbon_type), intent(inout) :: ribbon          !! with its slopes; gets the rest
         integer, intent(in) :: number                       !! of its side
         integer, intent(in) :: end                          !! 0 where it begins, 1 where it ends
         type(error_type), allocatable, intent(out) :: error !! see `add_ribbon`
-        real(dp) :: normal(3), sine
+        real(dp) :: normal(3), angle
         integer :: other
 
         associate (slope => ribbon%slope(:, end))
             if (all(is_zero(slope))) return
             normal = normal_at(ribbon, real(end, dp))
-            sine = abs(dot_product(normal, slope))/norm2(slope)
+            ribbon%rest(:, end) = dot_product(normal, slope)*normal
+            angle = degrees*asin(min(abs(dot_product(normal, slope))/norm2(slope), 1.0_dp))
         end associate
-        if (degrees*asin(min(sine, 1.0_dp)) <= tangency_tolerance) return
+        if (angle <= tangency_tolerance) return
         other = merge(2, 4, end == 1)
         if (mod(number, 2) == 0) other = merge(3, 1, end == 1)
         call fail(error, cause%joint_gap, 'TANGENT'//to_text(number)//': side '//to_text(other)// &
-            ' begins at an angle of '//compact(degrees*asin(min(sine, 1.0_dp)))// &
-            ' degrees to the skin beside side '//to_text(number)//'; only what is tangent to it '// &
-            'there (within '//compact(tangency_tolerance)//') lets the patch be so')
+            ' begins at an angle of '//compact(angle)// &
+            ' degrees to the skin beside side '//to_text(number)//'; only what is tangent to it'// &
+            ' there (within '//compact(tangency_tolerance)//') lets the patch be so')
     end subroutine check_corner
 
     !> The normal beside a place of the side.
@@ -112,7 +115,7 @@ contains
         along = blend_jet(blend%slopes, t)
         point = matmul(f%slope, along(0, 0, :)) + matmul(f%twist, along(0, 1, :))
         normal = normal_at(f, t)
-        point = point - dot_product(point, normal)*normal
+        point = point - dot_product(point, normal)*normal + matmul(f%rest, along(0, 0, :))
     end function ribbon_at
 
 end module body_ribbon

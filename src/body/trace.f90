@@ -6,11 +6,12 @@ module body_trace
     use body_body, only: body_type
     use body_panel_side, only: arc_side, side_type
     use body_section, only: section_arc
+    use deck_job, only: asked_body_type => body_type
     use geom_arc, only: arc_type
     implicit none (type, external)
     private
 
-    public :: trace_type, arcs_at
+    public :: trace_type, world_type, arcs_at
 
     !> A curve on one section.
     type :: trace_type
@@ -18,6 +19,14 @@ module body_trace
         integer :: section = 0      !! in the body's list
         type(side_type) :: side     !! all of it
     end type trace_type
+
+    !> What the sides of patches are taken from.
+    type :: world_type
+        type(asked_body_type) :: asked              !! the body as the deck has it
+        type(body_type) :: body                     !! the same, finished
+        type(trace_type), allocatable :: traces(:)  !! curves of its named cuts
+        real(dp) :: gap = 0.0_dp                    !! by which sides may miss, deck units
+    end type world_type
 
 contains
 

@@ -80,6 +80,12 @@ contains
                 range = [max(first%from, second%from), min(first%to, second%to)]
                 if (asked%range%has_from) range(1) = max(range(1), to_real(asked%range%from))
                 if (asked%range%has_to) range(2) = min(range(2), to_real(asked%range%to))
+                if (range(1) <= -huge(1.0_dp) .or. range(2) >= huge(1.0_dp)) then
+                    call fail(error, cause%joint_gap, 'lines '//trim(first%name)//' and '// &
+                        trim(second%name)//' go on without end; say in FROM and TO where they '// &
+                        'may meet')
+                    return
+                end if
                 meetings = meetings_of(first, second, range, gap)
                 if (size(meetings) == 1) then
                     corner = meetings(1)

@@ -55,7 +55,7 @@ module deck_body_line_fields
         body_field_type(card%patch, 2, 'NAME', form%name, need%always, 'none', &
         'name of the patch'), &
         body_field_type(card%patch, 3, 'SIDE1', form%either, need%always, 'deck unit', &
-        'a line, a cut by its name, or a station: the arc of a section there'), &
+        'a line, a cut''s name; or a station: the arc of a section there'), &
         body_field_type(card%patch, 4, 'SIDE2', form%either, need%always, 'deck unit', &
         'as SIDE1; POINT: the side is where the sides beside it meet'), &
         body_field_type(card%patch, 5, 'SIDE3', form%either, need%always, 'deck unit', &

@@ -7,6 +7,7 @@ program test_build_panels
     use body_build_panels, only: build_panels
     use body_ledger, only: joint_type
     use body_panel, only: panel_type
+    use body_trace, only: trace_type
     use deck_job, only: job_type
     use geom_bspline_surface, only: surface_point
     use support_faults, only: said
@@ -64,7 +65,7 @@ contains
         type(joint_type), allocatable :: joints(:)
         call job_of(lines//cards, job, faults)
         call build_body(job, 1, body, joints, faults)
-        call build_panels(job, 1, body, panels, faults)
+        call build_panels(job, 1, body, [trace_type ::], panels, faults)
     end subroutine build
 
     !> What is said of cards.

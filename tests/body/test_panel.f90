@@ -2,7 +2,7 @@
 program test_panel
     use base_error, only: cause, error_type
     use base_kinds, only: dp
-    use body_panel, only: mirrored_panel, new_panel, panel_type
+    use body_panel, only: mirrored_panel, new_panel, panel_type, plan_type
     use body_panel_side, only: arc_side, side_type
     use deck_job, only: twist
     use geom_arc, only: line_between
@@ -19,7 +19,8 @@ program test_panel
     integer :: i, kind
 
     do kind = twist%adini, twist%linear
-        call new_panel('SADDLE', saddle_sides(), kind, 1.0e-9_dp, panel, error)
+        call new_panel(plan_type('SADDLE', saddle_sides(), twists=kind, gap=1.0e-9_dp), panel, &
+            error)
         call tap%ok(.not. allocated(error), 'a panel between four sides')
         off = 0.0_dp
         do i = 0, 10
@@ -40,7 +41,7 @@ program test_panel
     call tap%ok(other%outward < 0.0_dp, 'whose outside is the other one')
     side = saddle_sides()
     side(2) = arc_side(line_between([0.0_dp, 0.0_dp], [10.0_dp, 4.5_dp]), 10.0_dp)
-    call new_panel('GAP', side, twist%adini, 1.0e-3_dp, panel, error)
+    call new_panel(plan_type('GAP', side, twists=twist%adini, gap=1.0e-3_dp), panel, error)
     call tap%ok(allocated(error), 'sides that do not meet are an error')
     if (allocated(error)) then
         call tap%ok(error%cause == cause%joint_gap, 'a gap')

@@ -23,10 +23,10 @@ program test_job_patch
         call tap%ok(.not. cap%range%has_from .and. b%range%has_from .and. b%range%has_to .and. &
             b%range%to%digits == 9, 'where lines may meet')
     end associate
-    call wrong('PATCH,CAP,POINT,TOPP,10.,MHB', '7:17-20 error: there is no LINE TOPP; did you '// &
-        'mean TOP?|', 'a line misspelt')
+    call wrong('PATCH,CAP,POINT,TOPP,10.,MHB', '7:17-20 error: there is no LINE TOPP, and no '// &
+        'cut of that name, on the cards before; did you mean TOP?|', 'a line misspelt')
     call wrong('PATCH,CAP,2.,3.,TOP,MHB', '7:14-15 error: sides 1 and 2 are both no lines; a '// &
-        'station or a POINT stands between two lines|', 'two stations in a row')
+        'station or a POINT stands between two lines or cuts|', 'two stations in a row')
     call wrong('PATCH,CAP,POINT,TOP,POINT,MHB', '7:11-15 error: a patch has one POINT for a '// &
         'side at most|', 'two points')
     call wrong('PATCH,CAP,TOP,TOP,2.,MHB', '7:15-17 error: a line twice in a row|', 'a line twice')
@@ -36,6 +36,28 @@ program test_job_patch
         'an empty range')
     call wrong('PATCH,CAP,POINT,TOP,10.,MHB,TWISTED', '7:29-35 error: BLEND is TWIST, FLAT or '// &
         'LINEAR, not TWISTED; did you mean TWIST?|', 'an unknown blend')
+    call wrong('PATCH,CAP,POINT,TOP,10.,MHB,,,,TANGENT1', '7:11-15 error: TANGENT1 of a side '// &
+        'that is a POINT; it has no skin beside it|', 'a point that is tangent')
+    call wrong('PATCH,CAP,POINT,TOP,10.,MHB,LINEAR,,,TANGENT3', '7:29-34 error: LINEAR has no '// &
+        'slopes across its sides; TANGENT3 takes TWIST or FLAT|', 'tangent without slopes')
+    call wrong('PATCH,CAP,POINT,TOP,10.,MHB,,,,TANGENT5', '7:32-39 error: TANGENT5 is no '// &
+        'option of this card; options are TANGENT1, TANGENT2, TANGENT3 or TANGENT4; did you '// &
+        'mean TANGENT1?|', 'a fifth side')
+    call wrong('STATION,1,2,.5,RIBS|PATCH,P,RIBS,TOP,10.,MHB', &
+        '8:9-12 error: cut RIBS has several stations; a side is at one|', 'several stations')
+    call wrong('BUTTOCK,1,0,,1,RIB|BUTTOCK,2,0,,1,RIB|PATCH,P,RIB,TOP,10.,MHB', &
+        '9:9-11 error: several cuts are named RIB; give each its own name|', 'a name of two cuts')
+    call wrong('BUTTOCK,1,0,,1,RIB|PATCH,P,RIB,RIB,10.,MHB', &
+        '8:13-15 error: a cut twice in a row|', 'a cut twice')
+    call job_of(body_text//'STATION,7.5,,,FORE|WATERLN,2.,0.,,1.,FOOT|PATCH,P,FOOT,FORE,TOP,9.,'// &
+        ',,,TANGENT1,TANGENT3', job, faults)
+    call tap%ok(faults%count == 0, 'cuts by their names')
+    associate (side => job%body(1)%patch(1)%side)
+        call tap%ok(all(side%kind == [bound%cut, bound%station, bound%line, bound%station]) .and. &
+            side(1)%cut == 2 .and. side(2)%station%digits == 75, 'a STATION is a station')
+        call tap%ok(all(side%is_tangent .eqv. [.true., .false., .true., .false.]), &
+            'which sides are tangent')
+    end associate
     call tap%finish()
 
 contains

@@ -4,7 +4,7 @@ module support_saddle
     use base_error, only: error_type
     use base_kinds, only: dp
     use body_line, only: line_type
-    use body_panel, only: new_panel, panel_type
+    use body_panel, only: new_panel, panel_type, plan_type
     use body_panel_side, only: arc_side, line_side, side_type
     use deck_job, only: twist
     use geom_arc, only: line_between
@@ -33,7 +33,8 @@ contains
     function saddle() result(panel)
         type(panel_type) :: panel
         type(error_type), allocatable :: error
-        call new_panel('SADDLE', saddle_sides(), twist%linear, 1.0e-9_dp, panel, error)
+        call new_panel(plan_type('SADDLE', saddle_sides(), twists=twist%linear, gap=1.0e-9_dp), &
+            panel, error)
         if (allocated(error)) error stop 'the saddle can''t be built'
     end function saddle
 
