@@ -8,7 +8,7 @@ module body_beside
     use base_text, only: compact, to_text
     use base_tolerances, only: tangency_tolerance
     use body_body, only: body_type
-    use body_panel_side, only: side_type
+    use body_panel_side, only: place_on, side_type
     use body_section, only: section_arc
     use body_skin, only: skin_at, skin_type
     use deck_job, only: name_length
@@ -145,19 +145,8 @@ contains
     pure function edge_place(edge, t) result(uv)
         type(edge_type), intent(in) :: edge !! of a panel
         real(dp), intent(in) :: t           !! 0 to 1, as the other side runs
-        real(dp) :: uv(2), s
-
-        s = merge(1.0_dp - t, t, edge%is_against)
-        select case (edge%number)
-        case (1)
-            uv = [s, 0.0_dp]
-        case (2)
-            uv = [1.0_dp, s]
-        case (3)
-            uv = [1.0_dp - s, 1.0_dp]
-        case default
-            uv = [0.0_dp, 1.0_dp - s]
-        end select
+        real(dp) :: uv(2)
+        uv = place_on(edge%number, merge(1.0_dp - t, t, edge%is_against))
     end function edge_place
 
     !> Finds the section on whose skin a side lies, within a gap; of several that of the first. None

@@ -11,7 +11,7 @@ module body_panel
     use base_text, only: compact, to_text
     use base_tolerances, only: panel_tolerance, tangency_tolerance
     use body_beside, only: beside_type, neighbour, normal_beside
-    use body_panel_side, only: side_type, side_spline
+    use body_panel_side, only: place_on, side_type, side_spline
     use body_ribbon, only: add_ribbon
     use deck_job, only: name_length, twist
     use geom_bspline, only: bspline_type
@@ -147,23 +147,6 @@ contains
                 'skins beside two sides bend too differently in their corner')
         end associate
     end subroutine measure_joint
-
-    !> The parameters of a place on a side.
-    pure function place_on(number, t) result(uv)
-        integer, intent(in) :: number   !! of the side
-        real(dp), intent(in) :: t       !! 0 at its first corner to 1 at its last
-        real(dp) :: uv(2)
-        select case (number)
-        case (1)
-            uv = [t, 0.0_dp]
-        case (2)
-            uv = [1.0_dp, t]
-        case (3)
-            uv = [1.0_dp - t, 1.0_dp]
-        case default
-            uv = [0.0_dp, 1.0_dp - t]
-        end select
-    end function place_on
 
     !> A size of what sides stand around: the largest distance of a corner from the first.
     pure real(dp) function size_of(side)

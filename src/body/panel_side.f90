@@ -20,6 +20,7 @@ module body_panel_side
     private
 
     public :: side_type, line_side, arc_side, curve_side, point_side, side_part, side_spline
+    public :: place_on
 
     !> A side, run through from its first corner to its last.
     type, extends(curve_function_type) :: side_type
@@ -187,5 +188,23 @@ contains
         back%to = side%from
         back%is_vertical = side%is_vertical(2:1:-1)
     end function turned
+
+    !> The parameters u and v of a place on a side of a panel: side 1 is v = 0, side 2 is u = 1, and
+    !> so round.
+    pure function place_on(number, t) result(uv)
+        integer, intent(in) :: number   !! of the side
+        real(dp), intent(in) :: t       !! 0 at its first corner to 1 at its last
+        real(dp) :: uv(2)
+        select case (number)
+        case (1)
+            uv = [t, 0.0_dp]
+        case (2)
+            uv = [1.0_dp, t]
+        case (3)
+            uv = [1.0_dp - t, 1.0_dp]
+        case default
+            uv = [0.0_dp, 1.0_dp - t]
+        end select
+    end function place_on
 
 end module body_panel_side

@@ -54,7 +54,7 @@ module deck_body_layout
     end type option_type
 
     !> The options of data cards and of PATCH.
-    type(option_type), parameter, public :: option_words(7) = [ &
+    type(option_type), parameter, public :: option_words(10) = [ &
         option_type('DXDY', 'every end slope of the card is dx/dy; a vertical one is 0.'), &
         option_type('DXDY1', 'the slope at the first point is dx/dy'), &
         option_type('DXDY3', 'the slope at the last point is dx/dy'), &
@@ -62,8 +62,10 @@ module deck_body_layout
         option_type('KNUCKLE', 'a slope break at the joint before this card is intended'), &
         option_type('MATCH', &
         'the joint before this card has equal curvature: LOFT finds shoulder or rho'), &
-        option_type('TANGENT1', &
-        'the patch is tangent to the skin beside its side 1; TANGENT2, 3, 4: side 2, 3, 4')]
+        option_type('TANGENT1', 'the patch is tangent to the skin beside its first side'), &
+        option_type('TANGENT2', 'to the skin beside its second side'), &
+        option_type('TANGENT3', 'to the skin beside its third side'), &
+        option_type('TANGENT4', 'to the skin beside its fourth side')]
 
     !> The cards by name: `body_layout(body_card%section)`.
     type, public :: body_card_list

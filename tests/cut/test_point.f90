@@ -4,7 +4,7 @@ program test_point
     use body_body, only: body_type
     use cut_outline, only: cut_point_type
     use cut_plane, only: buttock_plane, plane_type, station_plane, waterline_plane
-    use cut_point, only: across, give_bevel, left_of, point_on_arc, point_on_track, turned_back
+    use cut_point, only: give_bevel, left_of, point_on_arc, point_on_track, turned_back
     use cut_track, only: track_type, tracks_on
     use geom_arc, only: arc_type
     use geom_place, only: at_finish, at_start
@@ -60,7 +60,6 @@ program test_point
     call tap%near(point%curvature, 0.25_dp, 1.0e-15_dp, 'a radius of 4')
     point = point_on_arc(body, 1, arc, at_finish, plane, .false.)
     call tap%ok(point%slope%is_vertical, 'and is vertical at the side')
-    call tap%ok(all(across(sta, bl) == wl), 'STA x BL is WL')
     call tap%ok(all(left_of(plane, bl) == wl), 'left of starboard is up, looking forward')
     call give_bevel([0.6_dp, 0.8_dp, 0.0_dp], plane, .true., point)
     call tap%near(point%bevel, asin(0.6_dp)*180.0_dp/acos(-1.0_dp), 1.0e-14_dp, &
