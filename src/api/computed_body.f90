@@ -3,6 +3,7 @@ module api_computed_body
     use api_computed_arcs, only: arcs_of_cut, arcs_of_outline
     use api_requests, only: requests_of
     use api_ring_faults, only: warn_of_ring
+    use api_traces, only: traces_of_sides
     use base_decimal, only: to_real
     use base_error, only: error_type
     use base_fault, only: fault_list_type
@@ -18,7 +19,6 @@ module api_computed_body
     use body_panel, only: panel_type
     use body_ring, only: ring_of
     use body_ring_list, only: ring_type
-    use body_trace, only: trace_type
     use cut_clearance, only: check_clearance, clearance_type, component_kind, component_type
     use cut_clearance_map, only: map_type, new_map
     use cut_duct, only: duct_measure_type, measure_duct
@@ -29,7 +29,6 @@ module api_computed_body
     use cut_panel, only: add_panels
     use cut_plane, only: cut_kind
     use cut_request, only: request_type
-    use cut_trace, only: traces_of
     use deck_body_card, only: blame, warn
     use deck_job, only: asked_body_type => body_type, asked_cut_type => cut_type, check, &
         check_real, check_type, job_type, name_length
@@ -142,27 +141,6 @@ contains
                 size(computed%cuts))]]
         end do
     end subroutine cuts_of_body
-
-    !> The curves of the cuts that are sides of patches. What is wrong with a cut is said where it
-    !> is made.
-    function traces_of_sides(asked, body) result(traces)
-        type(asked_body_type), intent(in) :: asked  !! as the deck has it
-        type(body_type), intent(in) :: body         !! as built
-        type(trace_type), allocatable :: traces(:), more(:)
-        type(request_type), allocatable :: requests(:)
-        type(fault_list_type) :: known
-        integer :: i, k
-
-        allocate (traces(0), more(0))
-        do i = 1, size(asked%cut)
-            if (.not. any([(any(asked%patch(k)%side%cut == i), k = 1, size(asked%patch))])) cycle
-            call requests_of(asked%cut(i), requests, known)
-            if (size(requests) /= 1) cycle
-            more = traces_of(body, requests(1))
-            more%cut = i
-            traces = [traces, more]
-        end do
-    end function traces_of_sides
 
     !> Reports where a section has no conic though its lines are there.
     subroutine report_gaps(asked, body, faults)
