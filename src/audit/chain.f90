@@ -21,6 +21,8 @@ module audit_chain
 
     !> Figures of the shortest stretch, and candidates of a line at the most.
     integer, parameter :: shortest = 8, most_candidates = 160
+    !> Conics drawn for a candidate: a stretch across a joint has none, and need not be searched.
+    integer, parameter :: most_draws = 60
     !> Rounds of new candidates at the most.
     integer, parameter :: most_rounds = 6
     !> Units of the last place beyond which a figure is not of a conic.
@@ -98,7 +100,7 @@ contains
         if (candidates == size(cost, 2)) return
         counts = .false.
         counts(pack(row, within)) = .true.
-        call find_conic(problem, counts, k, found)
+        call find_conic(problem, counts, k, found, most_draws)
         if (.not. found) return
         call agree(problem, counts, k, member, depth)
         candidates = candidates + 1

@@ -7,7 +7,7 @@
 !>
 !> and the same with the other sign where F falls. Both are scaled to units of the last place.
 module audit_condition
-    use audit_curve, only: form_at, frame_type, general_equation, gradient, monomials, &
+    use audit_curve, only: extreme, form_at, frame_type, general_equation, gradient, monomials, &
         quantity_at, quantity_type
     use audit_figure, only: form, scale_type, unit_of, value_of
     use audit_printing, only: allowed, printing
@@ -36,6 +36,11 @@ module audit_condition
     !> Half the room that a number known exactly is given, where it is one condition among others,
     !> and what doubles may leave of a bound: units of the last place.
     real(dp), parameter :: exact_room = 1.0e-6_dp, noise = 1.0e-7_dp
+    !> The least growth of a form over a unit of the last place, relative: where a conic is just not
+    !> reached, or nearly vertical, units say nothing.
+    real(dp), parameter :: flat = 1.0e-9_dp
+    !> Half the room of the abscissa of a vertical tangent: that of 999.999 instead of infinity.
+    real(dp), parameter :: vertical_room = 5.0e-5_dp
 
 contains
 
@@ -104,7 +109,7 @@ contains
 
     !> How far a conic is from the centre of a condition and how far outside of its bounds (negative
     !> inside), in units of the last place. `exists` is false where the conic has no such quantity.
-    pure subroutine residual(condition, k, frame, off, excess, exists)
+    pure recursive subroutine residual(condition, k, frame, off, excess, exists)
         type(condition_type), intent(in) :: condition !! any
         real(dp), intent(in) :: k(6)                  !! the conic
         type(frame_type), intent(in) :: frame         !! its frame
@@ -113,7 +118,10 @@ contains
         logical, intent(out) :: exists                !! see above
         real(dp) :: value, slope(2)
 
-        if (condition%has_point) then
+        if (is_loose_vertical(condition)) then
+            call residual(as_extreme(condition), k, frame, off, excess, exists)
+            return
+        else if (condition%has_point) then
             slope = [dot_product(k, gradient(frame, condition%point(1), condition%point(2), 1)), &
                 dot_product(k, gradient(frame, condition%point(1), condition%point(2), 2))]
             exists = abs(slope(1)) < vertical_slope*abs(slope(2))
@@ -127,25 +135,36 @@ contains
     end subroutine residual
 
     !> The two inequalities `row . k >= 0` of a condition near a conic, see above.
-    pure subroutine bound_rows(condition, k, frame, rows)
+    pure recursive subroutine bound_rows(condition, k, frame, rows)
         type(condition_type), intent(in) :: condition !! any
         real(dp), intent(in) :: k(6)                  !! the conic
         type(frame_type), intent(in) :: frame         !! its frame
         real(dp), intent(out) :: rows(6, 2)           !! for the least and for the greatest value
         real(dp) :: steep, slope
 
+        if (is_loose_vertical(condition)) then
+            call bound_rows(as_extreme(condition), k, frame, rows)
+            return
+        end if
         select case (condition%quantity%sort)
         case (sort%ordinate)
             call point_rows(condition, k, frame, 2, rows, slope)
         case (sort%abscissa)
             call point_rows(condition, k, frame, 1, rows, slope)
         case (sort%slope)
-            call slope_rows(condition, k, frame, rows, slope)
+            if (condition%has_point) then
+                call slope_rows(condition, k, frame, rows, slope)
+            else
+                call loose_rows(condition, k, frame, rows, slope)
+            end if
+        case (extreme)
+            call loose_rows(condition, k, frame, rows, slope)
         case default
             call coefficient_rows(condition, k, frame, rows, slope)
         end select
         steep = max(abs(slope)*condition%unit, dot_product(rows(:, 2) - rows(:, 1), k)* &
-            sign(1.0_dp, slope)*condition%unit/(condition%high - condition%low), tiny(1.0_dp))
+            sign(1.0_dp, slope)*condition%unit/(condition%high - condition%low), &
+            flat*norm2(rows(:, 2)))
         rows(:, 1) = -sign(1.0_dp, slope)*rows(:, 1)/steep
         rows(:, 2) = sign(1.0_dp, slope)*rows(:, 2)/steep
         rows = rows + noise*spread(k, 2, 2)
@@ -181,30 +200,68 @@ contains
         end if
     end subroutine point_rows
 
-    !> Fx + s Fy for the least and the greatest slope s, and Fy.
+    !> Fx + s Fy at the point of a slope for the least and the greatest slope s, and Fy.
     pure subroutine slope_rows(condition, k, frame, rows, slope)
-        type(condition_type), intent(in) :: condition !! a slope
+        type(condition_type), intent(in) :: condition !! a slope with its point
         real(dp), intent(in) :: k(6)                  !! the conic
         type(frame_type), intent(in) :: frame         !! its frame
         real(dp), intent(out) :: rows(6, 2)           !! see above
         real(dp), intent(out) :: slope                !! Fy
-        type(quantity_type) :: height
-        real(dp) :: at(2)
-        logical :: exists
-
-        at = condition%point
-        if (.not. condition%has_point) then
-            at(1) = condition%quantity%along
-            height = condition%quantity
-            height%sort = sort%ordinate
-            call quantity_at(k, frame, height, at(2), exists)
-        end if
-        rows(:, 1) = gradient(frame, at(1), at(2), 1) + &
-            condition%low*gradient(frame, at(1), at(2), 2)
-        rows(:, 2) = gradient(frame, at(1), at(2), 1) + &
-            condition%high*gradient(frame, at(1), at(2), 2)
-        slope = dot_product(k, gradient(frame, at(1), at(2), 2))
+        associate (at => condition%point)
+            rows(:, 1) = gradient(frame, at(1), at(2), 1) + &
+                condition%low*gradient(frame, at(1), at(2), 2)
+            rows(:, 2) = gradient(frame, at(1), at(2), 1) + &
+                condition%high*gradient(frame, at(1), at(2), 2)
+            slope = dot_product(k, gradient(frame, at(1), at(2), 2))
+        end associate
     end subroutine slope_rows
+
+    !> The bounds less a quantity v that is not linear in the coefficients, near a conic k0, whose
+    !> length does not change it: (bound - v(k0)) k0 - dv/dk.
+    pure subroutine loose_rows(condition, k, frame, rows, slope)
+        type(condition_type), intent(in) :: condition !! any
+        real(dp), intent(in) :: k(6)                  !! the conic
+        type(frame_type), intent(in) :: frame         !! its frame
+        real(dp), intent(out) :: rows(6, 2)           !! see above
+        real(dp), intent(out) :: slope                !! 1
+        real(dp), parameter :: step = 1.0e-6_dp
+        real(dp) :: value, side(2), growth(6), tried(6)
+        logical :: exists
+        integer :: i, j
+
+        do i = 1, 6
+            do j = 1, 2
+                tried = k
+                tried(i) = tried(i) + real(2*j - 3, dp)*step
+                call quantity_at(tried, frame, condition%quantity, side(j), exists)
+            end do
+            growth(i) = (side(2) - side(1))/(2.0_dp*step)
+        end do
+        call quantity_at(k, frame, condition%quantity, value, exists)
+        rows(:, 1) = (condition%low - value)*k - growth
+        rows(:, 2) = (condition%high - value)*k - growth
+        slope = 1.0_dp
+    end subroutine loose_rows
+
+    !> True for a vertical slope whose point is not known.
+    pure logical function is_loose_vertical(condition) result(is_loose)
+        type(condition_type), intent(in) :: condition !! any
+        is_loose = condition%quantity%sort == sort%slope .and. .not. condition%has_point .and. &
+            abs(condition%centre) >= vertical_slope
+    end function is_loose_vertical
+
+    !> A vertical slope as what it is where its point is not known: the extreme of the conic is at
+    !> its abscissa.
+    pure type(condition_type) function as_extreme(condition) result(same)
+        type(condition_type), intent(in) :: condition !! a vertical slope
+        same = condition
+        same%quantity%sort = extreme
+        same%quantity%near = condition%quantity%along
+        same%quantity%side = 0
+        same%centre = condition%quantity%along
+        same%low = same%centre - vertical_room
+        same%high = same%centre + vertical_room
+    end function as_extreme
 
     !> The coefficient less its least and its greatest share of the constant term, and that term.
     pure subroutine coefficient_rows(condition, k, frame, rows, slope)

@@ -16,6 +16,9 @@ module audit_curve
     public :: frame_type, quantity_type, monomials, gradient, form_at, roots_of, quantity_at
     public :: general_equation, point_near, side_of
 
+    !> A sort of quantity that no reading is of: an abscissa at which the conic is vertical.
+    integer, parameter, public :: extreme = 5
+
     !> Where the coordinates of a conic have their origin, and their units.
     type :: frame_type
         real(dp) :: origin(2) = 0.0_dp !! x0 and y0, deck units
@@ -24,7 +27,7 @@ module audit_curve
 
     !> A number that a conic has.
     type :: quantity_type
-        integer :: sort = 1          !! one of `sort%...`
+        integer :: sort = 1          !! one of `sort%...`, or `extreme`
         integer :: letter = 0        !! of a coefficient, 1 to 5 for A to E
         real(dp) :: along = 0.0_dp   !! x, or y of an abscissa, deck units
         real(dp) :: near = 0.0_dp    !! the root nearest to this is meant, deck units
@@ -124,6 +127,12 @@ contains
         value = 0.0_dp
         exists = .false.
         select case (quantity%sort)
+        case (extreme)
+            call roots_of([k(2)**2 - 4.0_dp*k(1)*k(3), 0.0_dp, 0.0_dp, &
+                2.0_dp*(k(2)*k(5) - 2.0_dp*k(3)*k(4)), 0.0_dp, k(5)**2 - 4.0_dp*k(3)*k(6)], &
+                frame, frame%origin(2), 1, roots, found)
+            exists = found > 0
+            value = point_near(roots, quantity)
         case (sort%coefficient)
             whole = general_equation(k, frame, -quantity%shift)
             exists = abs(whole(6)) > 0.0_dp

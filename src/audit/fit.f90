@@ -5,6 +5,7 @@
 !> up for once: that is kept where more readings agree for it, one given up counting against it.
 module audit_fit
     use audit_agreement, only: agree
+    use audit_condition, only: residual
     use audit_curve, only: side_of
     use audit_figure, only: scale_type
     use audit_printing, only: printing
@@ -28,6 +29,10 @@ module audit_fit
         integer :: printing = 1                    !! one of `printing%...`
         integer :: met_by(4) = -1                  !! readings met by way of printing; -1: not tried
     end type fit_type
+
+    !> How far, in units of the last place, a figure may be missed: what the square root of the 1970
+    !> program may do, and rounding.
+    real(dp), parameter, public :: room_of_1970 = 0.11_dp
 
 contains
 
@@ -92,8 +97,14 @@ contains
         type(fit_type), intent(in) :: fit  !! one
         type(fit_type), intent(in) :: than !! the other
         is_better = fit%met > than%met .or. (fit%met == than%met .and. &
-            fit%problem%freedom < than%problem%freedom)
+            freedom_of(fit) < freedom_of(than))
     end function is_better
+
+    !> The degrees of freedom left by numbers known exactly, also by slopes whose points are not.
+    pure integer function freedom_of(fit) result(freedom)
+        type(fit_type), intent(in) :: fit !! any
+        freedom = fit%problem%freedom - count(fit%member .and. fit%problem%is_exact)
+    end function freedom_of
 
     !> Finds the conic that holds the exact numbers not given up, and meets the most of the others.
     pure subroutine meet(fit)
@@ -107,9 +118,23 @@ contains
         call find_conic(fit%problem, counts, fit%k, found)
         if (.not. found) return
         call agree(fit%problem, counts, fit%k, fit%member, fit%depth)
+        call prove(fit)
         fit%met = count(fit%member) + count(fit%problem%is_held)
         call take_sides(fit)
     end subroutine meet
+
+    !> Leaves out figures that the conic does not meet when it is worked out.
+    pure subroutine prove(fit)
+        type(fit_type), intent(inout) :: fit !! its conic is known
+        real(dp) :: off, excess
+        logical :: exists
+        integer :: i
+        do i = 1, size(fit%member)
+            if (.not. fit%member(i)) cycle
+            call residual(fit%problem%condition(i), fit%k, fit%problem%frame, off, excess, exists)
+            fit%member(i) = exists .and. excess <= room_of_1970
+        end do
+    end subroutine prove
 
     !> A column of a table is one side of its conic: figures met on the other side are not met, and
     !> numbers held there count against the conic.

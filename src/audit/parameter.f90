@@ -11,11 +11,12 @@ module audit_parameter
     use audit_agreement, only: deepen
     use audit_bounds, only: find_bounds
     use audit_climb, only: most_unknowns
-    use audit_condition, only: condition_type
+    use audit_condition, only: condition_type, residual
     use audit_curve, only: quantity_at, quantity_type
     use audit_figure, only: figure_length
-    use audit_fit, only: fit_type
+    use audit_fit, only: fit_type, room_of_1970
     use audit_printing, only: printing
+    use audit_problem, only: hold
     use audit_reading, only: sort
     use audit_root, only: root_of_1970
     use audit_round, only: numbers_between, round_numbers
@@ -44,7 +45,7 @@ module audit_parameter
     end type pair_type
 
     !> A parameter fixed to a number is given so much room, relative to its size or to 1.
-    real(dp), parameter :: room = 1.0e-10_dp
+    real(dp), parameter :: room = 1.0e-9_dp
     !> How far, in units of the last place, a value may be off the bounds of its figure: rounding.
     real(dp), parameter :: noise = 1.0e-6_dp
 
@@ -79,26 +80,50 @@ contains
         real(dp), intent(in) :: value               !! its number
         logical, intent(out) :: is_allowed          !! see above
         type(condition_type) :: condition
+        logical :: held(size(fit%member) + 1)
         integer :: against(most_unknowns), n
 
-        n = size(fit%member)
+        n = size(fit%member) + 1
         condition%quantity = quantity
-        condition%unit = max(1.0_dp, abs(value))
+        condition%unit = room*max(1.0_dp, abs(value))
         condition%centre = value
-        condition%low = value - room*condition%unit
-        condition%high = value + room*condition%unit
-        condition%unit = room*condition%unit
+        condition%low = value - condition%unit
+        condition%high = value + condition%unit
+        if (quantity%sort <= sort%abscissa) condition%quantity%near = value
         fit%problem%condition = [fit%problem%condition, condition]
-        fit%problem%is_exact = [fit%problem%is_exact, .false.]
+        fit%problem%is_exact = [fit%problem%is_exact, .true.]
         fit%problem%is_sure = [fit%problem%is_sure, .false.]
         fit%problem%column = [fit%problem%column, 1]
-        fit%problem%is_held = [fit%problem%is_held, .false.]
         fit%given_up = [fit%given_up, .false.]
-        fit%member = [fit%member, .true.]
+        fit%problem%is_held = [fit%problem%is_held, .true.]
+        held = fit%problem%is_held
+        call hold(fit%problem, held)
+        fit%member = [fit%member, .not. fit%problem%is_held(n)]
+        associate (free => fit%problem%free_to(:, :fit%problem%freedom + 1))
+            fit%k = matmul(free, matmul(fit%k, free))
+        end associate
+        is_allowed = norm2(fit%k) > 0.0_dp
+        if (.not. is_allowed) return
+        fit%k = fit%k/norm2(fit%k)
         call deepen(fit%problem, fit%member, fit%k, fit%depth, against)
         is_allowed = fit%depth >= 0.0_dp
-        if (n < 0) is_allowed = .false.
+        if (is_allowed) is_allowed = meets_all(fit)
     end subroutine fix_parameter
+
+    !> True where a conic meets all its good readings, as their values tell.
+    pure logical function meets_all(fit)
+        type(fit_type), intent(in) :: fit !! the conic and its good readings
+        real(dp) :: off, excess
+        logical :: exists
+        integer :: i
+
+        meets_all = .true.
+        do i = 1, size(fit%member)
+            if (.not. fit%member(i)) cycle
+            call residual(fit%problem%condition(i), fit%k, fit%problem%frame, off, excess, exists)
+            meets_all = meets_all .and. exists .and. excess <= room_of_1970
+        end do
+    end function meets_all
 
     !> All pairs of numbers of so many decimals that the good figures allow two parameters together.
     pure function find_pairs(fit, first, second, decimals) result(pairs)

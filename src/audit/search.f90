@@ -26,11 +26,12 @@ module audit_search
 contains
 
     !> The conic that most figures chosen agree on. `found` is false where they are too few.
-    pure subroutine find_conic(problem, chosen, k, found)
+    pure subroutine find_conic(problem, chosen, k, found, draws)
         type(problem_type), intent(in) :: problem !! the readings
         logical, intent(in) :: chosen(:)          !! figures that count, one a condition
         real(dp), intent(out) :: k(6)             !! the conic
         logical, intent(out) :: found             !! see above
+        integer, intent(in), optional :: draws    !! at the most, else `most_draws`
         integer :: point(size(chosen)), n, turn, need
         integer(i64) :: state
         real(dp) :: tried(6), best, score
@@ -48,6 +49,7 @@ contains
         state = 20250117_i64
         best = real(size(chosen) + 1, dp)
         need = min(most_draws, 4*ways_to_draw(n, problem%freedom))
+        if (present(draws)) need = min(need, draws)
         do turn = 1, most_draws
             if (turn > need) exit
             call draw(problem, point(:n), modulo(turn, 2) == 1, state, tried)

@@ -42,6 +42,12 @@ program test_audit
     call tap%ok(rates%found() > 0.99_dp, 'at 15 % damage 99 % of slips of two units are found')
     call tap%ok(rates%accused() < 0.005_dp, 'fewer than .5 % of sound figures are accused')
     call tap%ok(rates%restored() > 0.90_dp, '90 % of one-character slips are restored')
+    call measure_rates(trial_type(conics=2, lines=25, damaged=0.15_dp), rates)
+    call tap%ok(rates%found() > 0.99_dp .and. rates%accused() < 0.005_dp .and. &
+        rates%restored() > 0.90_dp, 'all of that holds for chains of two conics')
+    call measure_rates(trial_type(lines=40, damaged=0.40_dp, known=2), rates)
+    call tap%ok(rates%found() > 0.99_dp .and. rates%accused() < 0.005_dp .and. &
+        rates%restored() > 0.90_dp, 'and at 40 % damage where ends and slopes are known')
     call tap%finish()
 
 contains

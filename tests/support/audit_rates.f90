@@ -21,6 +21,7 @@ module support_audit_rates
         integer :: conics = 1              !! of each line
         integer :: lines = 100             !! how many
         integer :: known = -1              !! as in `plan_type`; -1: each in turn
+        type(scale_type) :: scale = scale_type(1, 3) !! places of the figures
         real(dp) :: damaged = 0.15_dp      !! share of the figures
     end type trial_type
 
@@ -88,13 +89,15 @@ contains
             plan%known = trial%known
             if (trial%known < 0) plan%known = modulo(turn, 4)
             plan%printing = 1 + int(3.0_dp*random%unit())
-            plan%scale = scale_type(form%decimal, 3)
+            if (trial%scale%form == form%eighths) plan%printing = 1 + modulo(turn, 2)
+            plan%scale = trial%scale
             call print_truth(truth, plan, line, table)
             if (modulo(turn, 8) < 4) line%printing = plan%printing
             do i = 1, size(table)
                 if (random%unit() >= trial%damaged) cycle
                 call damage(random, table, i, text)
-                line%reading(i) = new_reading(sort%ordinate, line%reading(i)%along, text)
+                line%reading(i) = new_reading(sort%ordinate, line%reading(i)%along, &
+                    text, form_of=plan%scale%form)
             end do
             call cpu_time(start)
             call make_audit(line, audit, error)
