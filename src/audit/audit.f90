@@ -13,6 +13,7 @@ module audit_audit
     use audit_judge, only: judge_readings
     use audit_parameter, only: bound_parameter, parameter_type
     use audit_printing, only: printing
+    use audit_rival, only: settle_rivals
     use audit_reading, only: common_decimals, line_type, meaning, sort
     use audit_slip, only: slip
     use base_error, only: cause, error_type, fail
@@ -178,9 +179,15 @@ contains
         type(scale_type), intent(in) :: scale           !! of its table
         type(piece_type), intent(inout) :: piece        !! its conic is fitted
         type(finding_type), intent(inout) :: finding(:) !! one a reading; those chosen are filled in
+        integer :: rival(size(finding))
+
+        call judge_readings(line, scale, piece%chosen, piece%fit, finding)
+        call settle_rivals(line, scale, piece%chosen, piece%fit, finding)
+        rival = finding%rival
         call find_parameters(line, piece)
         call make_card(piece%fit, piece%parameter, piece%card)
         call judge_readings(line, scale, piece%chosen, piece%fit, finding)
+        finding%rival = rival
     end subroutine judge_piece
 
     !> The numbers of the card of a conic: its shoulder point is the exact point between its ends,

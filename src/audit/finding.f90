@@ -32,6 +32,7 @@ module audit_finding
         character(figure_length) :: likely = ''     !! the likely true figure
         integer :: slip = 0                         !! how it was made, one of `slip%...`
         real(dp) :: sure = 1.0_dp                   !! how sure the likely figure is, 0 to 1
+        real(dp) :: evidence = 1.0_dp               !! how likely it is read so, whatever is true
         integer :: rival = 0                        !! a reading that is bad if this one is good
     end type finding_type
 

@@ -158,6 +158,7 @@ contains
             found%likely = reading%figure%text
             found%slip = slip%none
             found%sure = 1.0_dp
+            found%evidence = 1.0_dp
             if (is_met(which, of, fit)) return
             quantity = quantity_of(line, which, of, fit)
             if (reading%sort <= sort%abscissa) quantity%near = found%computed
@@ -209,7 +210,7 @@ contains
         integer(i64), intent(in) :: beside(2)        !! the true figures of the rows beside
         real(dp), intent(in) :: by_line(2)           !! what the best line gives, from and to
         type(finding_type), intent(inout) :: found   !! its bounds are known
-        real(dp) :: weight, likelihood, chance, best, all
+        real(dp) :: weight, likelihood, chance, best, all, weights
         integer(i64) :: first, last, units
         integer :: kind
 
@@ -222,6 +223,7 @@ contains
         chance = chance_likelihood(reading%figure%text)
         best = 0.0_dp
         all = 0.0_dp
+        weights = 0.0_dp
         do units = first, last
             weight = outside + by_best_line*share_of(allowed(units, places, way), by_line)
             if (units > first .and. units < last) weight = weight + &
@@ -229,12 +231,14 @@ contains
             call slip_likelihood(reading%figure%text, units, beside, places, likelihood, kind)
             likelihood = weight*(likelihood + chance)
             all = all + likelihood
+            weights = weights + weight
             if (likelihood <= best) cycle
             best = likelihood
             found%likely = print_figure(units, places)
             found%slip = kind
         end do
         found%sure = best/all
+        found%evidence = all/weights
     end subroutine restore
 
     !> The share of some values that is between two others.

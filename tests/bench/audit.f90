@@ -52,8 +52,9 @@ contains
         character(*), intent(in) :: name      !! of the row
         type(rates_type), intent(in) :: rates !! what was counted
         call say('| '//name//' | '//percent(rates%found(), 2)//' | '// &
-            percent(rates%accused(), 3)//' | '//percent(rates%restored(), 2)//' | '//to_text(rates%units_found)//' of '// &
-            to_text(rates%units)//' | '//to_text(rates%units_shown)//' | '// &
+            percent(rates%accused(), 3)//' | '//percent(rates%restored(), 2)//' | '// &
+            to_text(rates%units_found)//' of '//to_text(rates%units)//' | '// &
+            to_text(rates%units_shown)//' | '// &
             to_text(nint(real(rates%figures, dp)/rates%seconds))//' |')
     end subroutine row
 
