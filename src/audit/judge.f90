@@ -7,7 +7,7 @@ module audit_judge
     use audit_agreement, only: conflicts, deepen
     use audit_bounds, only: find_bounds
     use audit_climb, only: most_unknowns
-    use audit_curve, only: quantity_at, quantity_type, roots_of
+    use audit_curve, only: extreme, quantity_at, quantity_type, roots_of
     use audit_figure, only: figure_length, figure_type, form, print_figure, scale_type, unit_of, &
         value_of
     use audit_finding, only: finding_type, verdict
@@ -16,6 +16,8 @@ module audit_judge
     use audit_reading, only: line_type, meaning, reading_type, sort
     use audit_root, only: root_of_1970, root_room
     use audit_slip, only: chance_likelihood, slip, slip_likelihood
+    use base_constants, only: vertical_slope
+    use base_exact, only: is_equal
     use base_kinds, only: dp, i64
     implicit none (type, external)
     private
@@ -23,7 +25,7 @@ module audit_judge
     public :: judge_readings, quantity_of
 
     !> The most figures that are weighed against each other.
-    integer, parameter :: half = 100, most_candidates = 2*half + 1
+    integer, parameter :: half = 400, most_candidates = 2*half + 1
     !> The weight of a figure one unit outside of what the good figures allow, and of the one that
     !> the best line gives.
     real(dp), parameter :: outside = 1.0e-5_dp, by_best_line = 2.0_dp
@@ -163,6 +165,7 @@ contains
             quantity = quantity_of(line, which, of, fit)
             if (reading%sort <= sort%abscissa) quantity%near = found%computed
             call find_bounds(fit%problem, fit%member, fit%k, quantity, between, is_limited)
+            if (is_at_vertical(line%reading, which)) call widen(fit, quantity%along, between)
             best = [found%low, found%high]
             if (way == printing%of_1970) between = between + [-0.1_dp, 0.1_dp]*root_room(fit%k, &
                 fit%problem%frame, quantity, u)
@@ -180,6 +183,42 @@ contains
             call restore(reading, places, way, beside, best, found)
         end associate
     end subroutine judge_one
+
+    !> True for an ordinate at whose abscissa the line is said to be vertical.
+    pure logical function is_at_vertical(reading, which) result(is_at)
+        type(reading_type), intent(in) :: reading(:) !! of the line
+        integer, intent(in) :: which                 !! which reading
+        integer :: i
+        is_at = .false.
+        if (reading(which)%sort /= sort%ordinate) return
+        do i = 1, size(reading)
+            if (reading(i)%sort /= sort%slope .or. .not. reading(i)%figure%is_sound) cycle
+            is_at = is_at .or. (is_equal(reading(i)%along, reading(which)%along) .and. &
+                abs(value_of(reading(i)%figure%units, reading(i)%figure%scale)) >= vertical_slope)
+        end do
+    end function is_at_vertical
+
+    !> Widens the bounds of an ordinate at a vertical tangent: a little of the abscissa, less than
+    !> any figure shows, is much of the ordinate there.
+    pure subroutine widen(fit, along, between)
+        type(fit_type), intent(in) :: fit         !! the conic
+        real(dp), intent(in) :: along             !! abscissa of the tangent, deck units
+        real(dp), intent(inout) :: between(2)     !! least and greatest ordinate
+        real(dp), parameter :: little = 2.0e-4_dp
+        type(quantity_type) :: end
+        real(dp) :: roots(2), at
+        integer :: found, side
+        logical :: exists
+
+        end = quantity_type(sort=extreme, near=along)
+        call quantity_at(fit%k, fit%problem%frame, end, at, exists)
+        if (.not. exists) return
+        do side = -1, 1, 2
+            call roots_of(fit%k, fit%problem%frame, at + real(side, dp)*little, 2, roots, found)
+            if (found < 2) cycle
+            between = [min(between(1), roots(1)), max(between(2), roots(2))]
+        end do
+    end subroutine widen
 
     !> What the rows before and after would be printed as, in units of the last place.
     pure subroutine neighbours(line, which, finding, places, way, beside)

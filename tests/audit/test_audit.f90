@@ -5,11 +5,11 @@ program test_audit
     use audit_finding, only: verdict
     use audit_parameter, only: find_pairs, pair_type
     use audit_printing, only: printing
-    use audit_reading, only: add, line_type, meaning, new_reading, sort
+    use audit_reading, only: add, line_type, meaning, new_reading, reading_type, sort
     use base_error, only: cause, error_type
     use base_kinds, only: dp
     use support_audit_rates, only: measure_rates, rates_type, trial_type
-    use support_book, only: figure_type, read_figures
+    use support_book, only: figure_type, read_coefficients, read_figures
     use support_tap, only: tap_type
     implicit none (type, external)
 
@@ -31,6 +31,16 @@ program test_audit
         audit%finding(9)%likely == '9.0', &
         'the sign of the shoulder point of LSH plan is found wrong')
     call prove_pairs()
+    call prove_coefficients()
+    call prove_section('STA 0 contour', ['-18.0 ', '-18.0 ', '-7.1  '], [9.0_dp, 11.901_dp])
+    call tap%ok(audit%finding(12)%verdict == verdict%suspect .and. &
+        audit%piece(1)%card%number(3) == '-15.999', 'the shoulder point of STA 0 is put right')
+    call prove_section('STA 10', ['-19.638', '-17.383', '-6.358 '], [11.271_dp, 14.415_dp])
+    call prove_section('STA 20', ['-20.999', '-18.563', '-5.898 '], [13.312_dp, 16.544_dp])
+    call tap%ok(audit%finding(9)%verdict == verdict%suspect .and. &
+        audit%finding(9)%low <= -5.698_dp .and. audit%finding(9)%high >= -5.698_dp .and. &
+        audit%finding(9)%sure < 0.9_dp, &
+        'the last point of STA 20 is found wrong; what is right is left open')
 
     deallocate (line%reading)
     call add(line, new_reading(sort%ordinate, 1.0_dp, '0.1'))
@@ -145,6 +155,76 @@ contains
         call tap%ok(has_pair(pairs, '0.4035', '0.1317'), '.4035 with .1317 is possible')
         call tap%ok(size(pairs) <= 8, 'few other pairs are, of 110 that print as .404 and .132')
     end subroutine prove_pairs
+
+    !> The printed coefficients of MHB side and its rows on both sides: all damage is put right.
+    subroutine prove_coefficients()
+        type(figure_type), allocatable :: printed(:)
+        type(reading_type) :: reading
+        logical :: all_right
+        integer :: i, n
+
+        allocate (printed(0))
+        printed = read_coefficients('golden/book/inputs.csv')
+        call read_line('MHB side', ['-10.0', ' .114', '-7.1 ', '-4.0 ', ' .052'])
+        n = size(line%reading)
+        do i = 1, size(printed)
+            reading = new_reading(sort%coefficient, 0.0_dp, printed(i)%scanned)
+            reading%letter = iachar(printed(i)%along(1:1)) - iachar('A') + 1
+            call add(line, reading)
+        end do
+        call make_audit(line, audit, error)
+        all_right = size(printed) == 5
+        do i = 1, size(printed)
+            all_right = all_right .and. bare(audit%finding(n + i)%likely) == &
+                bare(printed(i)%restored)
+        end do
+        call tap%ok(all_right, 'the damaged coefficients A and B of MHB side are restored')
+        n = 0
+        do i = 1, size(figures)
+            if (figures(i)%line /= 'MHB side') cycle
+            n = n + 1
+            all_right = all_right .and. bare(audit%finding(n)%likely) == bare(figures(i)%restored)
+        end do
+        call tap%ok(all_right, 'and so are all its 30 ordinates')
+        call tap%near(audit%piece(1)%parameter(5)%high - audit%piece(1)%parameter(5)%low, 0.0_dp, &
+            1.0e-6_dp, 'its S3 is .0523 to a millionth')
+    end subroutine prove_coefficients
+
+    !> Proves a cross-section of Table 4 as scanned, with its points as Table 3 prints them.
+    subroutine prove_section(name, y, x)
+        character(*), intent(in) :: name !! of the section
+        character(*), intent(in) :: y(3) !! its points, as scanned
+        real(dp), intent(in) :: x(2)     !! abscissae of the second and third
+        real(dp) :: along
+        logical :: all_right, none_accused
+        integer :: i, n
+
+        line = line_type(name=name, scale=scale_type(form%decimal, 3), printing=printing%of_1970)
+        do i = 1, size(figures)
+            if (figures(i)%line /= name) cycle
+            read (figures(i)%along, *) along
+            call add(line, new_reading(merge(sort%ordinate, sort%abscissa, &
+                figures(i)%axis == 'X'), along, figures(i)%scanned))
+        end do
+        call add(line, new_reading(sort%ordinate, 0.0_dp, y(1), meaning%exact))
+        call add(line, new_reading(sort%ordinate, x(1), y(2), meaning%exact))
+        call add(line, new_reading(sort%ordinate, x(2), y(3), meaning%exact))
+        call add(line, new_reading(sort%slope, 0.0_dp, '0', meaning%exact))
+        call add(line, new_reading(sort%slope, x(2), '999.999', meaning%exact))
+        call make_audit(line, audit, error)
+        all_right = .not. allocated(error)
+        none_accused = all_right
+        n = 0
+        do i = 1, size(figures)
+            if (figures(i)%line /= name) cycle
+            n = n + 1
+            all_right = all_right .and. bare(audit%finding(n)%likely) == bare(figures(i)%restored)
+            if (figures(i)%scanned == figures(i)%restored) none_accused = none_accused .and. &
+                audit%finding(n)%verdict == verdict%agrees
+        end do
+        call tap%ok(all_right, name//': every figure is right or put right')
+        call tap%ok(none_accused, name//': no sound one is accused')
+    end subroutine prove_section
 
     !> True where a pair is among others.
     pure logical function has_pair(pairs, first, second) result(has)
