@@ -8,10 +8,15 @@ AWK   := awk
 BUILD := build
 LIBS  := -llapack -lblas
 
-# Three builds of the same sources: as used, as distrusted (make DEBUG=1), as read by lint.
+# Builds of the same sources: as used, as distrusted (make DEBUG=1), as read by lint; for proofs
+# apart from `make check`, watched by the sanitizers, and led by AFL++ (tests/fuzz/README.md).
+AFL  := /usr/lib/afl
 MODE := $(if $(DEBUG),debug,release)
 FLAGS.release := -O2 -g -ffp-contract=off
 FLAGS.debug   := -O0 -g -fcheck=all,no-array-temps -ffpe-trap=invalid,zero,overflow -fbacktrace
+FLAGS.sanitize := -O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined \
+    -fno-sanitize-recover=undefined -fbacktrace
+FLAGS.afl     := -O1 -g -B$(AFL) -fcheck=all,no-array-temps -ffpe-trap=invalid,zero,overflow
 FLAGS.lint    := -O0 -Wall -Wextra -pedantic -Wimplicit-interface -Wconversion-extra -Werror
 # Objects go into program and library alike, so all are position independent.
 FFLAGS        := -std=f2018 -fopenmp -fPIC -fno-semantic-interposition $(FLAGS.$(MODE))
@@ -33,7 +38,9 @@ OBJECTS := $(SOURCES:%.f90=$(B)/%.o)
 PROGRAM := $(B)/src/app/main.o
 TESTS   := $(filter-out tests/support/%,$(filter tests/%,$(SOURCES)))
 CHECKS  := $(foreach t,$(TESTS),$(if $(filter test_%,$(notdir $t)),$(t:%.f90=$(B)/%)))
-SCRIPTS := $(sort $(shell find tests -name '*.t'))
+SCRIPTS := $(filter-out tests/soak/%,$(sort $(shell find tests -name '*.t')))
+SOAKS   := $(patsubst %.f90,$(B)/%,$(filter tests/soak/%,$(TESTS)))
+HOURS   := $(sort $(wildcard tests/soak/*.t))
 BENCHES := $(patsubst %.f90,$(B)/%,$(filter tests/bench/%,$(TESTS)))
 BOOK    := $(B)/tests/book/book
 # The outside judges of exported files; they judge what the release build writes.
@@ -48,7 +55,7 @@ PLOTS  := $(BUILD)/plots
 MAKEFLAGS += --no-print-directory
 
 .DELETE_ON_ERROR:
-.PHONY: all debug programs library objects deps deps-test demo check test lint golden book plot pictures bench graph install uninstall clean help
+.PHONY: all debug programs library objects deps deps-test demo check test soak lint golden book plot pictures bench graph install uninstall clean help
 
 all: $(LOFT)                        ## builds build/loft (DEBUG=1: build/debug/loft)
 	@:
@@ -70,6 +77,12 @@ $(OBJECTS): $(B)/%.o: %.f90 Makefile
 	@mkdir -p $(@D)
 	@echo "$(MODE): $<"
 	@$(FC) $(FFLAGS) $(EXACT) -J$(B)/mod -c $< -o $@
+
+# Where the linker can do that, the program asks for memory through app_memory.
+ifneq ($(shell uname),Darwin)
+$(LOFT): LDFLAGS += -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc
+$(LOFT): $(B)/src/app/memory.o
+endif
 
 $(LOFT): $(PROGRAM)
 $(LOFT) $(TESTS:%.f90=$(B)/%):
@@ -169,6 +182,16 @@ test: $(LOFT) $(LIBLOFT) $(CHECKS) $(BOOK) ## runs all tests of one build
 	    $(CHECKS) $(filter-out $(UNJUDGED),$(SCRIPTS))
 	@[ -x $(JUDGES)/bin/python ] || [ $(MODE) != release ] || \
 	    echo "*** JUDGES SKIPPED: no outside program has read an exported file; make deps-test ***"
+
+MINUTES := 60
+SEED    := 1
+
+# Long proofs: programs and scripts of tests/soak, one after the other (MINUTES=5 SEED=7).
+soak: $(LOFT) $(SOAKS)              ## breaks LOFT for MINUTES, or fails to (SEED)
+	@$(MAKE) MODE=debug all
+	@$(MAKE) MODE=sanitize all
+	@LOFT=$(abspath $(LOFT)) ROOT=$(CURDIR) BUILD=$(abspath $(BUILD)) MINUTES=$(MINUTES) \
+	    SEED=$(SEED) prove --failures --comments --exec '' $(SOAKS) $(HOURS)
 
 lint:                               ## reads all sources: compiler warnings, layers, style
 	@$(MAKE) MODE=lint objects

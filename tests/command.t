@@ -75,6 +75,7 @@ refused 'listing csv' run --format pdf $deck
 refused 'svg pdf png txt' plot --format csv $deck
 refused 'number' run --arithmetic s360 --shift ten $deck
 refused 'number' run --arithmetic s360 --shift= $deck
+refused '-o is given twice' run $deck -o "$work/one" -o "$work/two"
 refused 'takes no value' run --asa=yes --arithmetic s360 $deck
 refused '--asa goes with' run --asa $deck
 refused '--format csv goes with' run --arithmetic s360 --format csv $deck

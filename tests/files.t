@@ -59,6 +59,23 @@ odd="a result's \"name\".csv"
 loft run --format csv -o "$odd" "$deck"
 [ "$status" = 0 ] && cmp -s "$odd" want
 ok $? 'the name of a result may have blanks and quotes'
+echo old > modest && chmod 640 modest
+loft run --format csv -o modest "$deck"
+[ "$status" = 0 ] && cmp -s modest want && [ "$(ls -l modest | cut -c1-10)" = '-rw-r-----' ]
+ok $? 'a file that is replaced keeps its permissions' "$(ls -l modest)"
+mkdir far && echo old > far/real && ln -s far/real near && ln -s near nearer
+loft run --format csv -o nearer missing.crd
+[ "$status" = 2 ] && [ "$(cat far/real)" = old ]
+ok $? 'a run that failed keeps the file that a link leads to'
+loft run --format csv -o nearer "$deck"
+[ "$status" = 0 ] && [ -L nearer ] && [ -L near ] && cmp -s far/real want
+ok $? 'links to links are written through'
+loft run --format csv -o 'blank ' "$deck"
+[ "$status" = 0 ] && cmp -s 'blank ' want && [ ! -e blank ]
+ok $? 'a blank at the end of a name belongs to it'
+loft plot "$deck" -o 'a; touch pwned "$(touch pwned)" `touch pwned`'
+[ ! -e pwned ]
+ok $? 'the name of a folder is no command'
 tidy 'a run'
 
 # --- what can't be written

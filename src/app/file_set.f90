@@ -61,17 +61,32 @@ contains
 
     !> Gives all results, which are finished, their names.
     !>
-    !> Fails with `cause%file_trouble` where one can't be renamed; those not yet renamed are
-    !> removed.
+    !> Fails with `cause%file_trouble` where one can't be renamed; none has its name then, and what
+    !> had the names before has them again.
     subroutine publish(set, error)
         class(file_set_type), intent(inout) :: set          !! the set
         type(error_type), allocatable, intent(out) :: error !! see above
-        integer :: i
+        integer :: i, published
+
+        published = 0
+        if (size(set%files) > 1) then
+            do i = 1, size(set%files)
+                call set%files(i)%keep_former()
+            end do
+        end if
         do i = 1, size(set%files)
             call set%files(i)%publish(error)
-            if (.not. allocated(error)) cycle
+            if (allocated(error)) exit
+            published = i
+        end do
+        if (allocated(error)) then
+            do i = 1, published
+                call set%files(i)%take_back()
+            end do
             call set%abandon()
-            return
+        end if
+        do i = 1, size(set%files)
+            call set%files(i)%drop_former()
         end do
     end subroutine publish
 

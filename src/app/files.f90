@@ -1,16 +1,17 @@
 !> The results LOFT writes, which appear under their name only when they are whole.
 !>
 !> A result is written beside its final name and renamed when complete, so that a reader never sees
-!> half of it and a failed run leaves the old one. Devices, FIFOs and links are written through.
+!> half of it and a failed run leaves the old one. It keeps the permissions of the file it replaces.
+!> A link stays, and the file it leads to is replaced; devices and FIFOs are written through.
 module app_files
-    use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_int, c_int64_t, c_intptr_t, &
-        c_ptr, c_size_t
+    use, intrinsic :: iso_c_binding, only: c_associated, c_int, c_null_ptr, c_ptr
     use app_signals, only: guard_file, release_file
     use base_error, only: cause, error_type, fail
+    use base_file_facts, only: facts_of_file, file_facts_type
     use base_output, only: output_type
-    use base_posix, only: c_close, c_creat, c_fclose, c_fileno, c_fopen, c_getpid, c_mkdir, &
-        c_readlink, c_rename, c_text, c_truncate, c_unlink, last_error, real_path, &
-        standard_error, standard_output
+    use base_posix, only: c_access, c_close, c_creat, c_fchmod, c_fclose, c_fileno, c_fopen, &
+        c_fsync, c_getpid, c_link, c_mkdir, c_rename, c_text, c_unlink, is_needless, last_error, &
+        link_target, standard_error, standard_input, standard_output
     use base_text, only: to_text
     implicit none (type, external)
     private
@@ -19,13 +20,20 @@ module app_files
 
     !> Permissions asked for a new file or folder; the umask takes its part.
     integer(c_int), parameter :: file_mode = int(o'666', c_int), folder_mode = int(o'777', c_int)
+    !> What a file must allow to be replaced: that it be written.
+    integer(c_int), parameter :: writing = 2
+    !> Links that are followed one after the other.
+    integer, parameter :: most_links = 40
 
     !> A result being written.
     type :: result_file_type
         private
-        character(:), allocatable :: final     !! the name it will have; not set: standard output
+        character(:), allocatable :: name       !! as the user gave it; not set: standard output
+        character(:), allocatable :: final      !! the name it will have: `name`, links followed
         character(:), allocatable :: unfinished !! the name it has now, where that differs
+        character(:), allocatable :: former     !! what had the final name, kept under this one
         integer :: guard = 0                    !! of the unfinished file against signals
+        type(c_ptr) :: stream = c_null_ptr      !! of the unfinished file while it is open
         integer(c_int) :: descriptor = standard_output
     contains
         procedure :: begin
@@ -34,15 +42,23 @@ module app_files
         procedure :: complete
         procedure :: abandon
         procedure :: is_device
+        procedure :: keep_former
+        procedure :: drop_former
+        procedure :: take_back
     end type result_file_type
 
 contains
 
     !> Fills standard input, output and error where they came closed, so that no file opened later
-    !> gets the place of one and takes what is meant for it. Writing to them fails as before.
+    !> gets the place of one and takes what is meant for it. Reading and writing fail as before:
+    !> what is opened can only be written, or only be read.
     subroutine hold_standard_files()
         type(c_ptr) :: stream
         integer(c_int) :: ignored
+
+        stream = c_fopen(c_text('/dev/null'), c_text('w'))
+        if (.not. c_associated(stream)) return
+        if (c_fileno(stream) /= standard_input) ignored = c_fclose(stream)
         do
             stream = c_fopen(c_text('/dev/null'), c_text('r'))
             if (.not. c_associated(stream)) return
@@ -59,25 +75,62 @@ contains
         character(*), intent(in) :: name                    !! as the user gave it; may be empty
         type(output_type), intent(inout) :: out             !! what is put there goes to the file
         type(error_type), allocatable, intent(out) :: error !! see above
-        character(:), allocatable :: path
+        type(file_facts_type) :: facts
 
-        path = name
         if (name /= '' .and. name /= '-') then
-            file%final = name
-            if (can_be_replaced(name)) then
-                path = name//'.part'//to_text(int(c_getpid()))
-                file%unfinished = path
-                call guard_file(path, file%guard)
+            file%name = name
+            file%final = followed(name)
+            facts = facts_of_file(file%final)
+            if (link_target(file%final) == '' .and. (facts%is_regular .or. .not. facts%exists)) then
+                call begin_beside(file, facts)
+            else
+                file%descriptor = c_creat(c_text(file%final), file_mode)
             end if
-            file%descriptor = c_creat(c_text(path), file_mode)
             if (file%descriptor < 0) then
                 call fail(error, cause%file_trouble, name//': '//last_error())
+                file%descriptor = standard_output
                 call release_file(file%guard)
                 return
             end if
         end if
         call out%attach(file%descriptor)
     end subroutine begin
+
+    !> Begins a result beside its final name, with the permissions of what has that name. What was
+    !> left there by a process of the same number that was killed goes; nothing is written through.
+    subroutine begin_beside(file, facts)
+        class(result_file_type), intent(inout) :: file  !! gets the descriptor, -1 where it fails
+        type(file_facts_type), intent(in) :: facts      !! of what has the final name
+        integer(c_int) :: ignored
+
+        file%descriptor = -1
+        if (facts%exists .and. c_access(c_text(file%final), writing) < 0) return
+        file%unfinished = file%final//'.part'//to_text(int(c_getpid()))
+        call guard_file(file%unfinished, file%guard)
+        ignored = c_unlink(c_text(file%unfinished))
+        file%stream = c_fopen(c_text(file%unfinished), c_text('wx'))
+        if (.not. c_associated(file%stream)) return
+        file%descriptor = c_fileno(file%stream)
+        if (facts%exists) ignored = c_fchmod(file%descriptor, facts%permissions)
+    end subroutine begin_beside
+
+    !> A path whose last part is no link: what the links say, one after the other. Links of the
+    !> system to what a process has open are not followed.
+    function followed(name) result(path)
+        character(*), intent(in) :: name !! as the user gave it
+        character(:), allocatable :: path
+        character(:), allocatable :: target
+        integer :: i
+
+        path = name
+        do i = 1, most_links
+            if (index(path, '/dev/') == 1 .or. index(path, '/proc/') == 1) return
+            target = link_target(path)
+            if (target == '') return
+            if (index(target, '/') /= 1) target = path(:index(path, '/', back=.true.))//target
+            path = target
+        end do
+    end function followed
 
     !> Ends a result: all of it is handed over and it gets its final name.
     !>
@@ -103,17 +156,36 @@ contains
         integer(c_int) :: status
 
         name = 'standard output'
-        if (allocated(file%final)) name = file%final
+        if (allocated(file%name)) name = file%name
         call out%flush(error)
         if (allocated(error)) then
             error%message = name//': '//error%message
-        else if (allocated(file%final)) then
-            status = c_close(file%descriptor)
+        else if (allocated(file%name)) then
+            call close_whole(file, status)
             if (status < 0) call fail(error, cause%file_trouble, name//': '//last_error())
-            file%descriptor = standard_output
         end if
         if (allocated(error)) call file%abandon()
     end subroutine finish
+
+    !> Closes the file of a result. An unfinished one is brought to the disk first, so that not even
+    !> a loss of power leaves less than all of it under the final name.
+    subroutine close_whole(file, status)
+        class(result_file_type), intent(inout) :: file  !! all of it is written
+        integer(c_int), intent(out) :: status           !! -1 where that fails
+
+        status = 0
+        if (c_associated(file%stream)) then
+            if (c_fsync(file%descriptor) < 0) then
+                if (.not. is_needless()) status = -1
+            end if
+            if (status < 0) return
+            status = c_fclose(file%stream)
+            file%stream = c_null_ptr
+        else
+            status = c_close(file%descriptor)
+        end if
+        file%descriptor = standard_output
+    end subroutine close_whole
 
     !> Gives a finished result its final name.
     !>
@@ -124,7 +196,7 @@ contains
 
         if (.not. allocated(file%unfinished)) return
         if (c_rename(c_text(file%unfinished), c_text(file%final)) < 0) then
-            call fail(error, cause%file_trouble, file%final//': '//last_error())
+            call fail(error, cause%file_trouble, file%name//': '//last_error())
             call file%abandon()
             return
         end if
@@ -136,7 +208,12 @@ contains
     subroutine abandon(file)
         class(result_file_type), intent(inout) :: file !! the file
         integer(c_int) :: ignored
-        if (file%descriptor /= standard_output) ignored = c_close(file%descriptor)
+        if (c_associated(file%stream)) then
+            ignored = c_fclose(file%stream)
+        else if (file%descriptor /= standard_output) then
+            ignored = c_close(file%descriptor)
+        end if
+        file%stream = c_null_ptr
         file%descriptor = standard_output
         if (.not. allocated(file%unfinished)) return
         ignored = c_unlink(c_text(file%unfinished))
@@ -144,29 +221,44 @@ contains
         deallocate (file%unfinished)
     end subroutine abandon
 
-    !> True for a result that is no regular file, nor a link: a device or FIFO, or standard output,
-    !> also as `/dev/stdout`. It has no folder in which anything could stand beside it.
+    !> Keeps what has the final name under another one too, where the file system can do that.
+    subroutine keep_former(file)
+        class(result_file_type), intent(inout) :: file !! finished
+        integer(c_int) :: ignored
+        if (.not. allocated(file%unfinished)) return
+        file%former = file%final//'.old'//to_text(int(c_getpid()))
+        ignored = c_unlink(c_text(file%former))
+        if (c_link(c_text(file%final), c_text(file%former)) < 0) deallocate (file%former)
+    end subroutine keep_former
+
+    !> What had the final name is no longer needed.
+    subroutine drop_former(file)
+        class(result_file_type), intent(inout) :: file !! after `keep_former`
+        integer(c_int) :: ignored
+        if (.not. allocated(file%former)) return
+        ignored = c_unlink(c_text(file%former))
+        deallocate (file%former)
+    end subroutine drop_former
+
+    !> Takes a published result back: what had the name before has it again.
+    subroutine take_back(file)
+        class(result_file_type), intent(inout) :: file !! after `keep_former` and `publish`
+        integer(c_int) :: ignored
+        if (.not. allocated(file%final) .or. allocated(file%unfinished)) return
+        if (allocated(file%former)) then
+            ignored = c_rename(c_text(file%former), c_text(file%final))
+            deallocate (file%former)
+        else
+            ignored = c_unlink(c_text(file%final))
+        end if
+    end subroutine take_back
+
+    !> True for a result that has no folder in which anything could stand beside it: a device or
+    !> FIFO, or standard output, also as `/dev/stdout`.
     logical function is_device(file)
         class(result_file_type), intent(in) :: file !! begun
-        is_device = .not. allocated(file%final)
-        if (is_device .or. allocated(file%unfinished)) return
-        is_device = index(file%final, '/dev/') == 1 .or. &
-            .not. can_be_replaced(real_path(file%final))
+        is_device = .not. allocated(file%unfinished)
     end function is_device
-
-    !> True where a name is free or a regular file's, which a rename may replace. Only a regular
-    !> file has a length that can be set (here to what it is), and only a link can be read as one.
-    logical function can_be_replaced(name)
-        character(*), intent(in) :: name !! a path
-        character(kind=c_char) :: target(1)
-        integer(c_int64_t) :: length
-        logical :: exists
-
-        can_be_replaced = c_readlink(c_text(name), target, 1_c_size_t) < 0_c_intptr_t
-        if (.not. can_be_replaced) return
-        inquire (file=name, exist=exists, size=length)
-        if (exists) can_be_replaced = c_truncate(c_text(name), length) == 0
-    end function can_be_replaced
 
     !> Makes a folder where there is none.
     !>
@@ -175,12 +267,12 @@ contains
         character(*), intent(in) :: name                    !! path of the folder
         type(error_type), allocatable, intent(out) :: error !! see above
         character(:), allocatable :: trouble
-        logical :: exists
+        type(file_facts_type) :: facts
 
         if (c_mkdir(c_text(name), folder_mode) == 0) return
         trouble = last_error()
-        inquire (file=name//'/.', exist=exists)
-        if (.not. exists) call fail(error, cause%file_trouble, name//': '//trouble)
+        facts = facts_of_file(name)
+        if (.not. facts%is_folder) call fail(error, cause%file_trouble, name//': '//trouble)
     end subroutine make_folder
 
     !> The last part of a path: `cards/nose.crd` is `nose.crd`.

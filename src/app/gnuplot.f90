@@ -3,12 +3,17 @@ module app_gnuplot
     use, intrinsic :: iso_c_binding, only: c_int
     use app_signals, only: guard_file, release_file
     use base_error, only: cause, error_type, fail
-    use base_posix, only: c_getpid, c_rename, c_text, c_unlink, last_error
+    use base_file_facts, only: facts_of_file, file_facts_type
+    use base_posix, only: c_getpid, c_raise, c_rename, c_text, c_unlink, last_error
     use base_text, only: to_text
     implicit none (type, external)
     private
 
     public :: has_gnuplot, draw, shell_word, folder_word
+
+    !> The interrupt signal, and the exit status of a shell that got it.
+    integer(c_int), parameter :: interrupt = 2_c_int
+    integer, parameter :: was_interrupted = 130
 
 contains
 
@@ -22,7 +27,8 @@ contains
     !> error.
     !>
     !> Fails with `cause%file_trouble` where gnuplot does or draws nothing; a picture that was there
-    !> before stays.
+    !> before stays. An interrupt from the keyboard, which the shell and gnuplot get and LOFT does
+    !> not while it waits for them, ends LOFT too.
     subroutine draw(folder, name, format, error)
         character(*), intent(in) :: folder                  !! where script and data are
         character(*), intent(in) :: name                    !! of the picture, a plain word
@@ -30,16 +36,18 @@ contains
         type(error_type), allocatable, intent(out) :: error !! see above
         character(:), allocatable :: picture, unfinished
         integer(c_int) :: ignored
-        integer :: status, length, guard
+        type(file_facts_type) :: facts
+        integer :: status, guard
 
         picture = name//'.'//format
         unfinished = picture//'.part'//to_text(int(c_getpid()))
         call guard_file(folder//'/'//unfinished, guard)
-        status = shell_status('cd '//folder_word(folder)// &
-            ' && gnuplot -d -e "format='''//format//'''; output='''//unfinished//'''" '//name// &
-            '.gp </dev/null >/dev/null')
-        inquire (file=folder//'/'//unfinished, size=length)
-        if (status /= 0 .or. length <= 0) then
+        status = shell_status('trap ''exit '//to_text(was_interrupted)//''' INT; cd '// &
+            folder_word(folder)//' && gnuplot -d -e "format='''//format//'''; output='''// &
+            unfinished//'''" '//name//'.gp </dev/null >/dev/null')
+        if (status == was_interrupted) ignored = c_raise(interrupt)
+        facts = facts_of_file(folder//'/'//unfinished)
+        if (status /= 0 .or. facts%length == 0) then
             call fail(error, cause%file_trouble, folder//'/'//picture// &
                 ': gnuplot did not draw it (its exit status is '//to_text(status)//')')
         else if (c_rename(c_text(folder//'/'//unfinished), c_text(folder//'/'//picture)) < 0) then

@@ -8,6 +8,7 @@ program loft
     use app_options, only: argument_type, options_type, read_options
     use app_plot, only: plot_deck
     use app_run, only: run_deck
+    use app_signals, only: end_run, guard_run
     use app_status, only: status
     use base_error, only: error_type
     use base_output, only: output_type
@@ -19,6 +20,7 @@ program loft
     type(error_type), allocatable :: error, ignored
     integer :: exit_status
 
+    call guard_run()
     call hold_standard_files()
     call messages%attach(standard_error)
     call answer%attach(standard_output)
@@ -46,6 +48,7 @@ program loft
         exit_status = status%unusable
     end if
     call messages%flush(ignored)
+    call end_run()
     if (exit_status /= status%done) stop exit_status, quiet=.true.
 
 contains

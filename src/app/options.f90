@@ -142,6 +142,9 @@ contains
             call fail(error, cause%usage, name//' needs a value')
         end if
         if (.not. allocated(error)) call check_value(layout, given, error)
+        if (name == '-o' .and. options%output /= '' .and. .not. allocated(error)) &
+            call fail(error, cause%usage, '-o is given twice: '//options%output//' and '// &
+            given%text//'; a run has one result')
         if (allocated(error)) return
         if (layout%kind == 'paper' .and. given%text == 'roll') then
             call read_width(argument, i, given, error)

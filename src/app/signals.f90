@@ -1,19 +1,28 @@
-!> What happens when LOFT is told to stop in mid-run: unfinished result files are removed and LOFT
-!> ends by the same signal, as the shell expects. SIGPIPE ends it in any case.
+!> What happens when LOFT is stopped in mid-run: unfinished result files are removed. Told to stop
+!> by a signal, LOFT ends by the same signal, as the shell expects; SIGPIPE ends it in any case.
+!> Where the Fortran runtime gives up, for want of memory above all, the exit status is 2, as for
+!> any other thing that can't be done.
 !>
 !> A signal handler is told nothing but a number, so the names of the unfinished files have to stand
 !> where the handler finds them: the only module variables of LOFT.
 module app_signals
     use, intrinsic :: iso_c_binding, only: c_char, c_funloc, c_funptr, c_int, c_intptr_t, &
-        c_null_char, c_null_funptr
-    use base_posix, only: c_raise, c_signal, c_text, c_unlink, longest_path
+        c_null_char, c_null_funptr, c_size_t
+    use app_status, only: status
+    use base_posix, only: c_atexit, c_exit_now, c_raise, c_signal, c_text, c_unlink, c_write, &
+        longest_path, standard_error
     implicit none (type, external)
     private
 
-    public :: guard_file, release_file
+    public :: guard_run, end_run, stop_for, guard_file, release_file
 
-    !> Hang-up, interrupt, broken pipe and termination, numbered alike on every POSIX system.
-    integer(c_int), parameter :: caught(4) = [1_c_int, 2_c_int, 13_c_int, 15_c_int]
+    !> Hang-up, interrupt, quit, broken pipe, termination, time used up, and the crashes (illegal
+    !> instruction, abort, bus error by two numbers, arithmetic, segmentation), numbered alike on
+    !> Linux, BSD and macOS.
+    integer(c_int), parameter :: caught(12) = [1_c_int, 2_c_int, 3_c_int, 13_c_int, 15_c_int, &
+        24_c_int, 4_c_int, 6_c_int, 7_c_int, 10_c_int, 8_c_int, 11_c_int]
+    !> A file grows beyond what is allowed: without a handler LOFT would end before it can say so.
+    integer(c_int), parameter :: file_too_large = 25_c_int
     !> What stands in the place of a handler where a signal is ignored, as by `nohup`: it stays so.
     integer(c_intptr_t), parameter :: ignored_signal = 1_c_intptr_t
     !> Unfinished files that can be guarded at a time.
@@ -22,6 +31,9 @@ module app_signals
     character(kind=c_char), volatile :: unfinished(longest_path, most_files)
     !> How many of these have been used.
     integer, volatile :: used = 0
+    !> What each signal did before it was caught; whether they are; whether LOFT ends by itself.
+    type(c_funptr) :: former(size(caught))
+    logical, volatile :: is_catching = .false., has_ended = .false.
 
 contains
 
@@ -30,7 +42,6 @@ contains
     subroutine guard_file(path, guard)
         character(*), intent(in) :: path    !! the unfinished file
         integer, intent(out) :: guard       !! for `release_file`; 0: it is not guarded
-        type(c_funptr) :: before
         character(:), allocatable :: text
         integer :: i
 
@@ -42,13 +53,21 @@ contains
             unfinished(i, guard) = text(i:i)
         end do
         used = max(used, guard)
+        if (.not. is_catching) call catch_signals()
+    end subroutine guard_file
+
+    !> Sets the handler of all signals that are not ignored.
+    subroutine catch_signals()
+        type(c_funptr) :: before
+        integer :: i
+        is_catching = .true.
         do i = 1, size(caught)
-            before = c_signal(caught(i), c_funloc(stop_by_signal))
-            if (transfer(before, 0_c_intptr_t) == ignored_signal) then
-                before = c_signal(caught(i), before)
+            former(i) = c_signal(caught(i), c_funloc(stop_by_signal))
+            if (transfer(former(i), 0_c_intptr_t) == ignored_signal) then
+                before = c_signal(caught(i), former(i))
             end if
         end do
-    end subroutine guard_file
+    end subroutine catch_signals
 
     !> The first place for a path that is not taken.
     integer function free_place()
@@ -63,18 +82,73 @@ contains
         if (guard > 0) unfinished(1, guard) = c_null_char
     end subroutine release_file
 
-    !> The handler: removes the files, then lets the signal do what it does by nature. It calls
-    !> only what POSIX allows in a handler.
-    subroutine stop_by_signal(number) bind(c)
-        integer(c_int), value :: number !! the signal
+    !> A run begins. A file that grows too large is from now on an error like any other.
+    subroutine guard_run()
         type(c_funptr) :: before
+        integer(c_int) :: ignored
+        before = c_signal(file_too_large, c_funloc(go_on))
+        if (transfer(before, 0_c_intptr_t) == ignored_signal) then
+            before = c_signal(file_too_large, before)
+        end if
+        ignored = c_atexit(c_funloc(stop_at_exit))
+    end subroutine guard_run
+
+    !> A run has come to its end by itself.
+    subroutine end_run()
+        has_ended = .true.
+    end subroutine end_run
+
+    !> Removes the unfinished files.
+    subroutine remove_unfinished() bind(c)
         integer(c_int) :: ignored
         integer :: i
         do i = 1, used
             if (unfinished(1, i) /= c_null_char) ignored = c_unlink(unfinished(1, i))
         end do
+    end subroutine remove_unfinished
+
+    !> The handler: removes the files, then lets the signal do what it did before. It calls only
+    !> what POSIX allows in a handler.
+    subroutine stop_by_signal(number) bind(c)
+        integer(c_int), value :: number !! the signal
+        type(c_funptr) :: before
+        integer(c_int) :: ignored
+        integer :: i
+
+        call remove_unfinished()
         before = c_signal(number, c_null_funptr)
+        do i = 1, size(caught)
+            if (caught(i) == number) before = c_signal(number, former(i))
+        end do
         ignored = c_raise(number)
     end subroutine stop_by_signal
+
+    !> The handler of what is seen from the next write.
+    subroutine go_on(number) bind(c)
+        integer(c_int), value :: number !! the signal
+        if (number /= file_too_large) return
+    end subroutine go_on
+
+    !> Called at every end: where the Fortran runtime gave up, it has said why.
+    subroutine stop_at_exit() bind(c)
+        if (.not. has_ended) call stop_for('out of memory, or at fault itself, as said above')
+    end subroutine stop_at_exit
+
+    !> Ends LOFT at once and says why; no result is left. It asks for no memory.
+    subroutine stop_for(reason)
+        character(*), intent(in) :: reason !! a few words
+        call remove_unfinished()
+        call tell('loft: ')
+        call tell(reason)
+        call tell(new_line('a'))
+        call c_exit_now(int(status%unusable, c_int))
+    end subroutine stop_for
+
+    !> Writes on standard error.
+    subroutine tell(words)
+        character(*), intent(in) :: words !! any text
+        integer(c_intptr_t) :: taken
+        taken = c_write(standard_error, words, len(words, c_size_t))
+    end subroutine tell
 
 end module app_signals

@@ -6,7 +6,7 @@ module base_output
     use, intrinsic :: iso_c_binding, only: c_int, c_intptr_t, c_size_t
     use base_error, only: cause, error_type, fail
     use base_kinds, only: i64
-    use base_posix, only: c_write, last_error
+    use base_posix, only: c_write, can_try_again, last_error, to_write
     implicit none (type, external)
     private
 
@@ -137,10 +137,12 @@ contains
         done = 0
         do while (done < len(text) .and. .not. allocated(out%trouble))
             taken = c_write(out%descriptor, text(done + 1:), int(len(text) - done, c_size_t))
-            if (taken < 0) then
-                out%trouble = last_error()
-            else
+            if (taken > 0) then
                 done = done + int(taken)
+            else if (taken == 0) then
+                out%trouble = 'no byte is taken'
+            else if (.not. can_try_again(out%descriptor, to_write)) then
+                out%trouble = last_error()
             end if
         end do
     end subroutine write_all

@@ -4,13 +4,14 @@
 !> Nothing here knows what a deck is.
 module base_posix
     use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_f_pointer, c_funptr, c_int, &
-        c_intptr_t, c_int64_t, c_null_char, c_ptr, c_size_t
+        c_intptr_t, c_long, c_null_char, c_ptr, c_short, c_size_t
     implicit none (type, external)
     private
 
     public :: c_fopen, c_fileno, c_fclose, c_read, c_write, c_creat, c_close, c_rename, c_unlink
-    public :: c_truncate, c_readlink, c_mkdir, c_getpid, c_signal, c_raise, c_alarm, c_isatty
-    public :: c_text, last_error, real_path
+    public :: c_fsync, c_fchmod, c_access, c_link, c_readlink, c_mkdir, c_getpid, c_signal, c_raise
+    public :: c_alarm, c_isatty, c_atexit, c_exit_now
+    public :: c_text, last_error, real_path, can_try_again, is_needless, link_target
 
     !> Descriptor of standard input.
     integer(c_int), parameter, public :: standard_input = 0
@@ -21,12 +22,25 @@ module base_posix
     !> Bytes of the longest path, its null included.
     integer, parameter, public :: longest_path = 4096
 
+    !> A descriptor that is waited for.
+    type, bind(c) :: poll_type
+        integer(c_int) :: descriptor = 0
+        integer(c_short) :: wanted = 0  !! to be read or written
+        integer(c_short) :: ready = 0
+    end type poll_type
+    !> What a descriptor is waited for to do: to be read, to be written.
+    integer(c_short), parameter, public :: to_read = 1_c_short, to_write = 4_c_short
+    !> Numbers of errors that pass: interrupted by a signal; not now (on Linux, on BSD and macOS).
+    integer(c_int), parameter :: interrupted = 4_c_int, not_now(2) = [11_c_int, 35_c_int]
+    !> What a file that is on no disk says when it is to be brought there.
+    integer(c_int), parameter :: invalid = 22_c_int
+
     interface
         !> Opens a file; a null pointer says that it can't be.
         type(c_ptr) function c_fopen(path, mode) bind(c, name='fopen')
             import :: c_char, c_ptr
             character(kind=c_char), intent(in) :: path(*) !! ends with a null
-            character(kind=c_char), intent(in) :: mode(*) !! `r`, ends with a null
+            character(kind=c_char), intent(in) :: mode(*) !! `r`; `wx`: a new one; ends with a null
         end function c_fopen
 
         !> The descriptor behind an open file.
@@ -83,12 +97,32 @@ module base_posix
             character(kind=c_char), intent(in) :: path(*) !! ends with a null
         end function c_unlink
 
-        !> Sets the length of a file; only a regular file has one to set.
-        integer(c_int) function c_truncate(path, length) bind(c, name='truncate')
-            import :: c_char, c_int, c_int64_t
+        !> Has all that was written to a descriptor brought to the disk; -1 where that fails.
+        integer(c_int) function c_fsync(descriptor) bind(c, name='fsync')
+            import :: c_int
+            integer(c_int), value :: descriptor !! open for writing
+        end function c_fsync
+
+        !> Sets the permissions of an open file; -1 where they can't be set.
+        integer(c_int) function c_fchmod(descriptor, mode) bind(c, name='fchmod')
+            import :: c_int
+            integer(c_int), value :: descriptor !! open
+            integer(c_int), value :: mode       !! permissions; the umask has no part in them
+        end function c_fchmod
+
+        !> 0 where a file may be used so, else -1.
+        integer(c_int) function c_access(path, use) bind(c, name='access')
+            import :: c_char, c_int
             character(kind=c_char), intent(in) :: path(*) !! ends with a null
-            integer(c_int64_t), value :: length           !! bytes
-        end function c_truncate
+            integer(c_int), value :: use                  !! 2: to be written
+        end function c_access
+
+        !> Gives a file a second name; -1 where it can't be given.
+        integer(c_int) function c_link(old, new) bind(c, name='link')
+            import :: c_char, c_int
+            character(kind=c_char), intent(in) :: old(*) !! ends with a null
+            character(kind=c_char), intent(in) :: new(*) !! ends with a null
+        end function c_link
 
         !> Reads what a symbolic link points to; -1 where the path is no link.
         integer(c_intptr_t) function c_readlink(path, buffer, count) bind(c, name='readlink')
@@ -142,6 +176,26 @@ module base_posix
             integer(c_int), value :: descriptor !! any
         end function c_isatty
 
+        !> Has a procedure called when the program comes to its end; not 0 where it won't be.
+        integer(c_int) function c_atexit(procedure) bind(c, name='atexit')
+            import :: c_funptr, c_int
+            type(c_funptr), value :: procedure !! without arguments
+        end function c_atexit
+
+        !> Ends the program at once, without anything that is done at an end.
+        subroutine c_exit_now(status) bind(c, name='_exit')
+            import :: c_int
+            integer(c_int), value :: status !! the exit status
+        end subroutine c_exit_now
+
+        !> Waits until a descriptor is ready.
+        integer(c_int) function c_poll(waited_for, count, milliseconds) bind(c, name='poll')
+            import :: c_int, c_long, poll_type
+            type(poll_type), intent(inout) :: waited_for(*) !! the descriptors
+            integer(c_long), value :: count                 !! of them
+            integer(c_int), value :: milliseconds           !! -1: as long as it takes
+        end function c_poll
+
         !> The runtime's copy of C's `errno`, which is a macro and so has no name of its own.
         integer(c_int) function error_number() bind(c, name='_gfortran_ierrno_i4')
             import :: c_int
@@ -175,6 +229,40 @@ contains
         call c_f_pointer(text, letter, [256])
         words = before_null(letter)
     end function last_error
+
+    !> True where the last service on a descriptor failed only for now: a signal came, or it does
+    !> not wait by itself, as some terminals and pipes, and is ready now. Call it at once.
+    logical function can_try_again(descriptor, use)
+        integer(c_int), intent(in) :: descriptor !! that was to be read or written
+        integer(c_short), intent(in) :: use      !! `to_read` or `to_write`
+        type(poll_type) :: waited_for(1)
+        integer(c_int) :: number, ignored
+
+        number = error_number()
+        can_try_again = number == interrupted .or. any(number == not_now)
+        if (.not. any(number == not_now)) return
+        waited_for(1) = poll_type(descriptor, use, 0_c_short)
+        ignored = c_poll(waited_for, 1_c_long, -1_c_int)
+    end function can_try_again
+
+    !> True where `c_fsync` failed only because there is no disk behind a file. Call it at once.
+    logical function is_needless()
+        is_needless = error_number() == invalid
+    end function is_needless
+
+    !> What a symbolic link says, and nothing where there is no link.
+    function link_target(path) result(target)
+        character(*), intent(in) :: path !! any path
+        character(:), allocatable :: target
+        character(kind=c_char) :: letter(longest_path)
+        integer :: i, length
+
+        length = int(c_readlink(c_text(path), letter, int(longest_path, c_size_t)))
+        target = ''
+        do i = 1, length
+            target = target//letter(i)
+        end do
+    end function link_target
 
     !> The path of a file from the root, without links, `.` and `..`: two names of one file have the
     !> same. Nothing where there is no such file.

@@ -8,7 +8,7 @@ module deck_source
     use, intrinsic :: iso_c_binding, only: c_int, c_intptr_t, c_size_t
     use base_error, only: cause, error_type, fail
     use base_kinds, only: i64
-    use base_posix, only: c_read, last_error
+    use base_posix, only: c_read, can_try_again, last_error, to_read
     use base_sha256, only: sha256_type
     implicit none (type, external)
     private
@@ -166,7 +166,11 @@ contains
         source%next = 1
         source%filled = 0
         if (source%descriptor /= memory .and. .not. source%at_end) then
-            got = c_read(source%descriptor, source%block, int(block_size, c_size_t))
+            do
+                got = c_read(source%descriptor, source%block, int(block_size, c_size_t))
+                if (got >= 0) exit
+                if (.not. can_try_again(source%descriptor, to_read)) exit
+            end do
             if (got < 0) source%trouble = last_error()
             source%filled = max(0_i64, int(got, i64))
             if (allocated(source%sum)) call source%sum%take(source%block(:source%filled))

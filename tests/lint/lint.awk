@@ -10,7 +10,7 @@ BEGIN {
     untested["export_drawing"]; untested["export_settings"]
     # Commands, proved by whole runs in tests/*.t, which see what their users see.
     untested["app_check"]; untested["app_help"]; untested["app_plot"]; untested["app_run"]
-    untested["app_signals"]; untested["app_status"]; untested["app_input"]
+    untested["app_signals"]; untested["app_memory"]; untested["app_status"]; untested["app_input"]
     untested["app_run_conics"]; untested["app_run_body"]; untested["api_computed_body"]
     untested["app_export"]; untested["app_export_body"]; untested["app_export_conics"]; untested["app_export_parts"]
     untested["app_export_write"]
