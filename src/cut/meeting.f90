@@ -99,14 +99,16 @@ contains
     pure real(dp) function openness(it)
         type(meeting_type), intent(in) :: it !! of an arc
         type(twofold_type) :: square, product
-        real(dp) :: whole, grain
+        real(dp) :: most, scale
 
-        square = it%middle*it%middle
-        product = it%start*it%finish
-        grain = decimal_noise*ulp*maxval(abs(to_real([it%start, it%middle, it%finish])))**2
-        whole = to_real(square) + abs(to_real(product)) + grain
         openness = 0.0_dp
-        if (whole > 0.0_dp) openness = to_real(square - product)/whole
+        most = maxval(abs(to_real([it%start, it%middle, it%finish])))
+        if (is_zero(most)) return
+        scale = 2.0_dp**min(-exponent(most), maxexponent(most) - 1)
+        square = (scale*it%middle)*(scale*it%middle)
+        product = (scale*it%start)*(scale*it%finish)
+        openness = to_real(square - product)/(to_real(square) + abs(to_real(product)) &
+            + decimal_noise*ulp*(scale*most)**2)
     end function openness
 
     !> The form for which a branch is rising.

@@ -2,6 +2,7 @@
 !> its tangents there, as many as bring it within `panel_curve_tolerance` of the panel's size. A
 !> whole section of a duct is the line of its surface around, exactly.
 module cut_panel_curve
+    use base_exact, only: is_zero
     use base_kinds, only: dp
     use base_tolerances, only: panel_curve_tolerance
     use cut_meeting, only: is_across
@@ -74,7 +75,10 @@ contains
         real(dp) :: point(3), first(3), second(3), way(3)
         call spline_jet(spline, t, point, first, second)
         way = at - point
-        off = norm2(way - dot_product(way, first)/dot_product(first, first)*first)
+        off = norm2(way)
+        if (is_zero(norm2(first))) return
+        first = first/norm2(first)
+        off = norm2(way - dot_product(way, first)*first)
     end function beside
 
     !> The spline through the points of some places with the tangents there; its parameter is the
@@ -110,15 +114,21 @@ contains
         spline%weight = 1.0_dp
     end function through
 
-    !> The unit tangent of a track, ahead.
+    !> The unit tangent of a track, ahead; 0 where all of it is one point.
     pure function direction(walk, s) result(way)
         type(walk_type), intent(in) :: walk     !! the track
         real(dp), intent(in) :: s               !! place
-        real(dp) :: way(3), next
+        real(dp) :: way(3), next, step
         type(cut_point_type) :: point
 
-        next = min(s + short_step, last_place(walk))
-        way = point_at(walk, next) - point_at(walk, next - short_step)
+        step = short_step
+        do
+            next = min(s + step, last_place(walk))
+            way = point_at(walk, next) - point_at(walk, max(next - step, 0.0_dp))
+            if (.not. is_zero(norm2(way))) exit
+            if (step > last_place(walk)) return
+            step = 2.0_dp*step
+        end do
         way = way/norm2(way)
         point = point_on_panel(walk, s, way, .false.)
         if (.not. point%has_slope) return

@@ -201,7 +201,8 @@ contains
         call foot_at(inside%body, inside%outside%section, from, -inward, foot, is_smooth)
     end function is_smooth_at
 
-    !> The section on whose conics the foot is, opposite to a parameter of the outside.
+    !> The section on whose conics the foot is, opposite to a parameter of the outside; where there
+    !> is no inside, the section of the outside.
     pure integer function section_of(inside, s) result(section)
         type(opposite_type), intent(in) :: inside   !! with patches
         real(dp), intent(in) :: s                   !! parameter of the outside
@@ -209,7 +210,8 @@ contains
 
         section = inside%outside%section
         do i = 1, size(inside%patch)
-            section = inside%patch(i)/most_stretches
+            section = inside%outside%section
+            if (inside%patch(i) /= nowhere) section = inside%patch(i)/most_stretches
             if (s <= inside%until(i)) return
         end do
     end function section_of

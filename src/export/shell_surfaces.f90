@@ -42,7 +42,7 @@ module export_shell_surfaces
     integer, parameter :: most_spans = 500
     real(dp), parameter :: shortest_span = 2.0_dp**(-24)
     !> How often fewer spans are tried, and the least that a span is taken to miss by: parts of what
-    !> it may.
+    !> it may. The most is as much above it: a span that can't be measured misses by `huge`.
     integer, parameter :: most_tries = 8
     real(dp), parameter :: least_miss = 1.0e-5_dp
     !> A surface is the skin itself where it misses it by no more than this many ulp of its largest
@@ -90,7 +90,8 @@ contains
         trial = fitted
         too_few = 1
         do try = 1, most_tries
-            need = (max(trial%span_miss/most, least_miss))**(1.0_dp/real(highest_degree + 1, dp))
+            need = (max(min(trial%span_miss, most/least_miss)/most, least_miss)) &
+                **(1.0_dp/real(highest_degree + 1, dp))
             spans = min(max(ceiling(sum(need)), too_few + 1), size(fitted%span_miss) - 1)
             if (spans <= too_few) return
             trial%fit%breaks = evened(trial%fit%breaks, need, spans)

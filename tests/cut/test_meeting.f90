@@ -9,7 +9,7 @@ program test_meeting
     use geom_arc, only: arc_through, arc_type, end_type, line_between
     use geom_arc_point, only: point
     use geom_place, only: is_finish, is_start
-    use geom_twofold, only: to_real
+    use geom_twofold, only: to_real, twofold
     use support_cutting, only: plane_of
     use support_tap, only: tap_type
     implicit none (type, external)
@@ -53,6 +53,12 @@ program test_meeting
     call tap%near(openness(it), 0.0_dp, 1.0e-15_dp, 'on a tangent plane it is zero')
     call tap%near(norm2(point(circle, turning_place(it)) - [3.0_dp, -4.0_dp]), 0.0_dp, 1.0e-14_dp, &
         'whose place is where it touches')
+    it = meeting_type(twofold(-1.0_dp), twofold(2.6e156_dp), twofold(2.0_dp))
+    call tap%near(openness(it), 1.0_dp, 1.0e-15_dp, 'heights beyond squaring are opened by')
+    it = meeting_type(twofold(-4.0e-200_dp), twofold(2.0e-200_dp), twofold(4.0e-200_dp))
+    call tap%near(openness(it), 1.0_dp, 1.0e-15_dp, 'and so are those below it')
+    it = meeting_type(twofold(0.0_dp), twofold(0.0_dp), twofold(0.0_dp))
+    call tap%near(openness(it), 0.0_dp, 0.0_dp, 'no heights are not')
     it = meeting_of(circle, 0.0_dp, buttock_plane(1.0e-30_dp), [.true., .false.])
     call tap%ok(is_start(place_of(it, cut_branch%rising)), &
         'an edge known to be in the plane is the place')
