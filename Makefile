@@ -55,7 +55,8 @@ PLOTS  := $(BUILD)/plots
 MAKEFLAGS += --no-print-directory
 
 .DELETE_ON_ERROR:
-.PHONY: all debug programs library objects deps deps-test demo check test soak lint golden book plot pictures bench graph install uninstall clean help
+.PHONY: all debug programs library objects deps deps-test deps-doc doc demo check test soak lint golden book \
+    plot pictures bench graph install uninstall clean help
 
 all: $(LOFT)                        ## builds build/loft (DEBUG=1: build/debug/loft)
 	@:
@@ -208,6 +209,21 @@ graph:                              ## draws the modules (build/graph.svg, doc/a
 	@dot -Tpng $(BUILD)/graph.dot -o $(BUILD)/graph.png
 	@cp $(BUILD)/graph.svg doc/architecture.svg
 	@echo "drawn: $(BUILD)/graph.svg $(BUILD)/graph.png doc/architecture.svg"
+
+# FORD makes pages of the docstrings; it lives in an environment of its own.
+FORD := $(BUILD)/ford
+
+deps-doc:                           ## installs FORD, for make doc (into build/ford)
+	@cmp -s doc/requirements.txt $(FORD)/requirements.txt || { python3 -m venv $(FORD) && \
+	    $(FORD)/bin/pip install --quiet --requirement doc/requirements.txt && \
+	    cp doc/requirements.txt $(FORD); }
+
+doc: deps-doc                       ## makes pages of the docstrings (build/doc/index.html)
+	@$(FORD)/bin/ford doc/ford.md -o $(abspath $(BUILD))/doc > $(BUILD)/doc.log 2>&1 || \
+	    { cat $(BUILD)/doc.log >&2; exit 1; }
+	@! grep -E "Ignoring unknown Ford|^Error" $(BUILD)/doc.log
+	@grep -q 'Loads a deck from a file' $(BUILD)/doc/module/api_loft.html
+	@echo "made: $(BUILD)/doc/index.html, $$(ls $(BUILD)/doc/module | wc -l) modules"
 
 # --- installing and cleaning --------------------------------------------------------------------
 

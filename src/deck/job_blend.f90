@@ -1,4 +1,4 @@
-!> BLEND: what can be said of its card and of its place among the data cards of a line.
+!> The BLEND card: what can be said of it and of its place among the data cards of a line.
 module deck_job_blend
     use base_decimal, only: to_real
     use base_fault, only: fault_list_type

@@ -1,4 +1,4 @@
-!> DUCT: the outlines that it goes through, given on cards before.
+!> The DUCT card: the outlines that it goes through, given on cards before.
 module deck_job_duct
     use base_decimal, only: to_real
     use base_fault, only: fault_list_type

@@ -56,14 +56,14 @@ module deck_layout
         field_layout_type('ITYP ', 77, 78, 'I', 0, 'none     ', &
         'not zero: a Y table is wanted                                   ')]
 
-    !> TITLE: a heading for every page of the listing.
+    !> The TITLE card: a heading for every page of the listing.
     type(field_layout_type), parameter, public :: title_fields(2) = [ &
         field_layout_type('CARD ', 1, 8, 'A', 0, 'none     ', &
         'the word TITLE                                                  '), &
         field_layout_type('TEXT ', 9, 80, 'A', 0, 'none     ', &
         'the heading, as it is to be printed                             ')]
 
-    !> UNITS: the unit of the deck's numbers. Nothing is converted by it.
+    !> The UNITS card: the unit of the deck's numbers. Nothing is converted by it.
     type(field_layout_type), parameter, public :: units_fields(2) = [ &
         field_layout_type('CARD ', 1, 8, 'A', 0, 'none     ', &
         'the word UNITS                                                  '), &

@@ -13,7 +13,7 @@ module export_body_combs
 
     public :: combs_drawing
 
-    !> Dots: the sheet across, room for the words of a row, between columns, between rows, least
+    !> In dots: the sheet across, room for the words of a row, between columns, between rows, least
     !> height of a row, a full tooth, from tooth to tooth, around the sheet, title.
     real(dp), parameter :: across = 1400.0_dp, room = 246.0_dp, gutter = 40.0_dp, &
         between = 26.0_dp, least_row = 46.0_dp, reach = 60.0_dp, spacing = 7.0_dp, edge = 34.0_dp, &

@@ -34,7 +34,7 @@ module export_dxf
     character(*), parameter :: reference_layer = 'REFERENCE', text_layer = 'TEXT'
     character(name_length), parameter :: taken(4) = [character(name_length) :: '0', 'DEFPOINTS', &
         reference_layer, text_layer]
-    !> Colours: of shapes by turns, and of reference lines (grey).
+    !> Colours of shapes by turns, and of reference lines (grey).
     integer, parameter :: shape_colours = 6, grey = 8
 
 contains

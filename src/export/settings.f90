@@ -18,8 +18,8 @@ module export_settings
         logical :: has_conics = .false.         !! IGES: 104 and 124 where a curve is a conic
         logical :: is_half = .false.            !! patterns: the half, with its centre line
         logical :: is_each = .false.            !! patterns: a sheet for each cut
-        character(:), allocatable :: paper      !! patterns: a4, letter, a3, tabloid, roll; empty:
-                                                !! the sheet is as large as the pattern
+        character(:), allocatable :: paper      !! of patterns: a4, letter, a3, tabloid, roll;
+                                                !! empty: the sheet is as large as the pattern
         real(dp) :: roll_width = 0.0_dp         !! of a roll
         real(dp) :: overlap = 0.0_dp            !! of tiles
         real(dp) :: bevel_step = 0.0_dp         !! patterns: how far bevel marks are apart

@@ -149,8 +149,8 @@ contains
         real(dp), intent(in) :: corners(:, :)                   !! of `ribs_type`
         type(panel_type), intent(in) :: panels(:)               !! of both halves
         type(use_type), intent(in) :: cluster(:)                !! the ribs
-        integer, intent(in) :: end                              !! 1: of faces that begin there, 2:
-                                                                !! that end
+        integer, intent(in) :: end                              !! of faces that begin there (1) or
+                                                                !! end there (2)
         type(panel_type), allocatable, intent(out) :: caps(:)   !! theirs
         type(use_type), allocatable :: rest(:)
         integer, allocatable :: loop(:)

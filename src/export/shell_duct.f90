@@ -11,8 +11,8 @@ module export_shell_duct
 
     public :: shell_of_duct
 
-    !> Vertices: 1 and 2 at the fore end, 3 and 4 at the aft end, 1 and 4 where u is 0. Edges: 1 and
-    !> 2 around the fore end, 3 and 4 around the aft end, 5 along u = 0, 6 along the middle.
+    !> Vertices are 1 and 2 at the fore end, 3 and 4 at the aft end, 1 and 4 where u is 0. Edges: 1
+    !> and 2 around the fore end, 3 and 4 around the aft end, 5 along u = 0, 6 along the middle.
     integer, parameter :: from_of(6) = [1, 2, 4, 3, 1, 2], to_of(6) = [2, 1, 3, 4, 4, 3]
     !> The edges of each half: v_from, u_to, v_to, u_from.
     integer, parameter :: edges_of(4, 2) = reshape([1, 6, 3, 5, 2, 5, 4, 6], [4, 2])

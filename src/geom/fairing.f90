@@ -1,6 +1,6 @@
-!> Fairing: the uniform cubic B-spline that passes near measured points and has the least energy of
-!> its second and third derivatives, with the area it encloses as asked for. The heavier the weight
-!> of a point, the nearer it passes.
+!> Fairing by the uniform cubic B-spline that passes near measured points and has the least energy
+!> of its second and third derivatives, with the area it encloses as asked for. The heavier the
+!> weight of a point, the nearer it passes.
 !>
 !> The multiplier of the area is found by Newton's method, with
 !>

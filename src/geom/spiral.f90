@@ -1,4 +1,4 @@
-!> Spirals: C-Bezier cubics of monotone curvature that join a straight line and a circle, or two
+!> Spirals, as C-Bezier cubics of monotone curvature that join a straight line and a circle, or two
 !> circles, with slope and curvature going on at both ends.
 !>
 !> With K and M of `geom_cyclic` and c = K**2 M/(1 - cos alpha), a C-Bezier cubic of sides g, h, k

@@ -35,7 +35,7 @@ module period_arithmetic
 
 contains
 
-    !> Sum: the smaller exponent is raised to the larger, its fraction shifted right keeping one
+    !> The sum: the smaller exponent is raised to the larger, its fraction shifted right keeping one
     !> guard digit; then added, and normalised with the guard digit.
     elemental type(hex_type) function add(a, b)
         type(hex_type), intent(in) :: a !! any word
@@ -54,7 +54,7 @@ contains
         end if
     end function add
 
-    !> Difference: the sum with the sign of the second operand turned.
+    !> The difference: the sum with the sign of the second operand turned.
     elemental type(hex_type) function subtract(a, b)
         type(hex_type), intent(in) :: a !! any word
         type(hex_type), intent(in) :: b !! any word
@@ -68,7 +68,7 @@ contains
         negate%fraction = -a%fraction
     end function negate
 
-    !> Product: all 28 digits of it, normalised, the first 14 kept.
+    !> The product: all 28 digits of it, normalised, the first 14 kept.
     elemental type(hex_type) function multiply(a, b)
         type(hex_type), intent(in) :: a !! any word
         type(hex_type), intent(in) :: b !! any word
@@ -81,7 +81,7 @@ contains
         multiply = normalised(digits, a%exponent + b%exponent, first_trap(a, b))
     end function multiply
 
-    !> Quotient: its first 14 digits. Division by zero traps and leaves the dividend.
+    !> The quotient: its first 14 digits. Division by zero traps and leaves the dividend.
     elemental type(hex_type) function divide(a, b)
         type(hex_type), intent(in) :: a !! any word
         type(hex_type), intent(in) :: b !! any word

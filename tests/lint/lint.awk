@@ -176,6 +176,16 @@ function inspect_deed(s,    number, begin) {
 
 FNR == 1 { finish_file(); start_file() }
 
+# FORD takes `word:` at the beginning of a docstring for a setting, and drops the line.
+in_src && key_at && (key_is_above || /^ *!!/) {
+    complain_at(FILENAME, key_at, "docstring that begins with `word:`, which FORD drops")
+}
+{ key_at = 0 }
+/^ *!>/ ? !was_above && /!> *[A-Za-z0-9_-]+:( |$)/ : !/^ *!/ && /!! *[A-Za-z0-9_-]+:( |$)/ {
+    key_at = FNR; key_is_above = /^ *!>/
+}
+{ was_above = /^ *!>/ }
+
 /\t/               { complain("tab") }
 /[ \r]$/           { complain("blank at the end of the line") }
 length($0) > widest { complain("line is wider than " widest " columns") }
