@@ -43,7 +43,9 @@ module cut_panel_track
 
     !> Cells each way at least.
     integer, parameter :: fewest_cells = 48
-    !> Steps that find a crossing on a line of the mesh.
+    !> A piece shorter than this many times the noise is none: its direction would be noise. Steps
+    !> that find a crossing on a line of the mesh.
+    real(dp), parameter :: shortest_piece = 1000.0_dp
     integer, parameter :: most_steps = 200
 
 contains
@@ -256,7 +258,7 @@ contains
         end do
     end function crossing
 
-    !> Links pieces to tracks. Pieces of no length, where the plane touches, are dropped.
+    !> Links pieces to tracks. Those of no length, at corners of the mesh, are dropped.
     pure subroutine link(panel, noise, pieces, tracks)
         type(panel_type), intent(in) :: panel                               !! any
         real(dp), intent(in) :: noise                                       !! deck units
@@ -276,8 +278,8 @@ contains
             end do
         end do
         kept = pack([(i, i = 1, size(parts))], [(norm2(parts(i)%ends(:, 2) - parts(i)%ends(:, 1)) &
-            > noise, i = 1, size(parts))])
-        allocate (chains, source=chains_of(parts(kept), noise))
+            > shortest_piece*noise, i = 1, size(parts))])
+        allocate (chains, source=chains_of(parts(kept), shortest_piece*noise))
         do i = 1, size(chains)
             allocate (uv(2, size(chains(i)%part) + 1))
             do k = 1, size(chains(i)%part)

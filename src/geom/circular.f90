@@ -4,6 +4,7 @@
 !> the direction 2 c - phi. Source: seed 003, second paper, the reflection rule of section 1.
 module geom_circular
     use base_constants, only: pi
+    use base_exact, only: is_equal
     use base_kinds, only: dp
     use geom_vector, only: cross
     implicit none (type, external)
@@ -97,7 +98,9 @@ contains
     pure real(dp) function distance_from(arc, point) result(distance)
         type(circular_type), intent(in) :: arc  !! any
         real(dp), intent(in) :: point(2)        !! deck units
-        if (arc%is_line) then
+        if (arc%is_line .and. all(is_equal(arc%start, arc%finish))) then
+            distance = norm2(point - arc%start)
+        else if (arc%is_line) then
             distance = abs(cross(point - arc%start, arc%finish - arc%start)) &
                 /norm2(arc%finish - arc%start)
         else
