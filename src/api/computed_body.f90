@@ -25,7 +25,7 @@ module api_computed_body
     use cut_make, only: make_cut
     use cut_measure_body, only: body_measure_type, measure_body
     use cut_offsets, only: half_breadths, heights, offset_table_type
-    use cut_outline, only: cut_type
+    use cut_outline, only: cut_at, cut_type, has_panels
     use cut_panel, only: add_panels
     use cut_plane, only: cut_kind
     use cut_request, only: request_type
@@ -187,6 +187,9 @@ contains
             do k = 1, size(made%notes)
                 call say(asked, made%notes(k)%message, made%notes(k)%is_error, said, faults)
             end do
+            if (max(requests(i)%skin, requests(i)%arcs) > 0.0_dp .and. has_panels(made)) &
+                call say(asked, 'SKIN and ARCS are of sections; outlines on patches and ducts '// &
+                'are their outside, as curves', .false., said, faults)
             computed%cuts = [computed%cuts, made]
         end do
     end subroutine add_cuts
@@ -235,22 +238,6 @@ contains
             call warn(asked%card, 1, message, faults)
         end if
     end subroutine say
-
-    !> Where cuts of a kind stand along their axis, each ordinate once.
-    pure function cut_at(cuts, kind, axis) result(ordinates)
-        type(cut_type), intent(in) :: cuts(:)   !! of a body
-        integer, intent(in) :: kind             !! one of `cut_kind%...`
-        integer, intent(in) :: axis             !! 1 STA, 2 BL, 3 WL
-        real(dp), allocatable :: ordinates(:)
-        integer :: i
-
-        allocate (ordinates(0))
-        do i = 1, size(cuts)
-            if (cuts(i)%plane%kind /= kind) cycle
-            if (any(abs(ordinates - cuts(i)%plane%through(axis)) <= 0.0_dp)) cycle
-            ordinates = [ordinates, cuts(i)%plane%through(axis)]
-        end do
-    end function cut_at
 
     !> Looks how clear the components are; one that is nearer than asked is an error on its card.
     subroutine check_components(asked, computed, faults)

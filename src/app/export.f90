@@ -145,6 +145,7 @@ contains
             call fail(error, cause%usage, 'a 1970 deck has no body, and '//request%format// &
                 ' is made of bodies; its curves go with: svg pdf dxf iges step nc')
         else if (size(parts%bodies) == 0 .and. .not. parts%is_faulty) then
+            if (size(parts%panels) > 0 .and. index(' stl obj ', request%format) > 0) return
             call fail(error, cause%usage, 'the deck has no section, and '//request%format// &
                 ' is made of sections; it takes a SECTION card')
         end if

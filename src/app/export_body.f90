@@ -74,14 +74,21 @@ contains
         type(computed_body_type), intent(in) :: computed    !! the body
         type(parts_type), intent(inout) :: parts            !! gets them
         type(panel_type) :: panel
-        integer :: i
+        integer :: i, owner
+        logical :: is_half
 
+        owner = 0
+        if (size(computed%body%sections) > 0) owner = size(parts%bodies) + 1
         do i = 1, size(computed%panels)
             panel = computed%panels(i)
+            is_half = computed%body%is_symmetric .and. panel%has_image
             parts%panels = [parts%panels, panel]
-            if (.not. (computed%body%is_symmetric .and. panel%has_image)) cycle
+            parts%owner = [parts%owner, merge(owner, 0, is_half .or. &
+                .not. computed%body%is_symmetric)]
+            if (.not. is_half) cycle
             panel = mirrored_panel(panel)
             parts%panels = [parts%panels, panel]
+            parts%owner = [parts%owner, merge(-1, 0, owner > 0)]
         end do
     end subroutine add_panels
 

@@ -20,6 +20,9 @@ module app_export_parts
         type(drawing_type) :: drawing               !! cuts and lines, or cards, as curves
         type(body_type), allocatable :: bodies(:)   !! those with sections; in units of the deck
         type(panel_type), allocatable :: panels(:)  !! patches with their images; units of the deck
+        integer, allocatable :: owner(:)            !! of each: body whose mesh has it and its
+                                                    !! image; -1: such an image; 0: it stands
+                                                    !! alone
         type(station_type), allocatable :: stations(:) !! in the order of the deck
         real(dp) :: factor = 1.0_dp                 !! units of the file in one of the deck
         logical :: is_body_deck = .false.           !! the deck is one of bodies
@@ -38,7 +41,7 @@ contains
         parts%drawing%title = title
         parts%drawing%units = units
         allocate (parts%drawing%cuts(0), parts%drawing%lines(0), parts%bodies(0), &
-            parts%panels(0), parts%stations(0))
+            parts%panels(0), parts%owner(0), parts%stations(0))
     end subroutine begin_parts
 
 end module app_export_parts

@@ -15,7 +15,7 @@ module app_export_write
     use export_hrm, only: write_hrm
     use export_iges, only: write_iges
     use export_mesh, only: mesh_type, scale_mesh
-    use export_mesh_build, only: build_mesh
+    use export_mesh_build, only: build_mesh, build_panel_mesh
     use export_mesh_merge, only: append_mesh
     use export_network, only: networks_type, scale_networks
     use export_network_build, only: build_networks
@@ -208,13 +208,18 @@ contains
         do i = 1, size(parts%bodies)
             call tell_progress('triangles of body '//to_text(i)//' of '// &
                 to_text(size(parts%bodies)))
-            call build_mesh(parts%bodies(i), deck_settings(request), skin, error)
+            call build_mesh(parts%bodies(i), deck_settings(request), skin, error, &
+                pack(parts%panels, parts%owner == i))
             if (allocated(error)) return
             do k = 1, size(skin%parts)
                 skin%parts(k)%name = name_in(parts, i, skin%parts(k)%name)
             end do
             call append_mesh(mesh, skin)
         end do
+        call build_panel_mesh(pack(parts%panels, parts%owner == 0), deck_settings(request), skin, &
+            error)
+        if (allocated(error)) return
+        if (skin%triangle_count > 0) call append_mesh(mesh, skin)
         mesh%deck = parts%drawing%deck
         mesh%title = parts%drawing%title
         call scale_mesh(mesh, parts%factor, request%units)
@@ -253,6 +258,8 @@ contains
             networks%list = [networks%list, of_body%list]
             networks%is_by_deck = of_body%is_by_deck
         end do
+        if (size(parts%panels) > 0) call receipt%say( &
+            'PATCH and DUCT are not in this file; IGES, STEP, STL and OBJ have them')
         networks%deck = parts%drawing%deck
         networks%title = parts%drawing%title
         call scale_networks(networks, parts%factor, request%units)

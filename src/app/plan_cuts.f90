@@ -4,16 +4,24 @@ module app_plan_cuts
     use base_error, only: error_type
     use base_kinds, only: dp
     use body_body, only: body_type
+    use body_panel, only: panel_type
     use cut_make, only: make_cut
     use cut_outline, only: cut_type
+    use cut_panel, only: add_panels
     use cut_plane, only: buttock_plane, cut_kind, plane_type, station_plane, waterline_plane
     use cut_request, only: cut_rule, request_type
+    use export_body_curves, only: all_outlines
     use export_body_lines, only: find_corners
     use export_body_sheet, only: round_step, round_steps
     implicit none (type, external)
     private
 
-    public :: plan_cuts, closely
+    public :: plan_cuts, closely, panel_set_type
+
+    !> The panels of a body.
+    type :: panel_set_type
+        type(panel_type), allocatable :: panel(:)   !! any
+    end type panel_set_type
 
     !> Where a deck asks for fewer cuts of a kind than this, round ones are drawn as well: about so
     !> many stations, butt lines and waterlines.
@@ -26,9 +34,10 @@ module app_plan_cuts
 contains
 
     !> The cuts of a lines plan. Planes that miss a body give none.
-    pure function plan_cuts(bodies, asked) result(cuts)
+    pure function plan_cuts(bodies, asked, sets) result(cuts)
         type(body_type), intent(in) :: bodies(:)    !! finished
         type(cut_type), intent(in) :: asked(:)      !! the cuts of the deck, of any body
+        type(panel_set_type), intent(in), optional :: sets(:) !! the panels of each body
         type(cut_type), allocatable :: cuts(:)
         type(cut_type) :: made
         type(error_type), allocatable :: error
@@ -45,8 +54,10 @@ contains
                 request%plane = plane_at(kind, ordinates(i))
                 do k = 1, size(bodies)
                     call make_cut(bodies(k), closely(request, maxval(high - low)), made, error)
+                    if (present(sets)) call add_panels(sets(k)%panel, bodies(k), &
+                        closely(request, maxval(high - low)), made, error)
                     if (allocated(error)) cycle
-                    if (size(made%outlines) > 0) cuts = [cuts, made]
+                    if (size(all_outlines(made)) > 0) cuts = [cuts, made]
                 end do
             end do
         end do

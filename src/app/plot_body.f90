@@ -6,7 +6,8 @@ module app_plot_body
     use app_input, only: deck_input_type
     use app_picture_folder, only: add_picture, begin_folder, folder_type
     use app_picture_name, only: cut_name
-    use app_plan_cuts, only: closely, plan_cuts
+    use app_plan_cuts, only: panel_set_type, plan_cuts
+    use app_plot_shape, only: add_images, is_same, shape_of
     use api_requests, only: requests_of
     use base_error, only: error_type
     use base_fault, only: fault_list_type
@@ -15,10 +16,10 @@ module app_plot_body
     use base_text, only: to_text
     use body_body, only: body_type
     use body_outline, only: outline_type
+    use body_panel, only: panel_type
     use cut_faired, only: faired_cut, measured_cut
-    use cut_make, only: make_cut
     use cut_outline, only: cut_type
-    use cut_plane, only: cut_kind, plane_type
+    use cut_plane, only: cut_kind
     use cut_request, only: request_type
     use deck_job, only: job_type
     use deck_job_reader, only: read_job
@@ -27,7 +28,7 @@ module app_plot_body
     use export_body_cut, only: cut_drawing
     use export_body_drawing, only: drawing_type
     use export_body_gnuplot, only: print_drawing_data, print_drawing_script
-    use export_body_lines, only: find_corners, lines_plan
+    use export_body_lines, only: lines_plan
     use export_body_view, only: view_drawing
     use export_duct_area, only: duct_area_drawing
     use report_fault, only: print_faults
@@ -102,24 +103,27 @@ contains
         type(computed_body_type), allocatable :: computed(:)
         type(body_type), allocatable :: bodies(:)
         type(cut_type), allocatable :: asked(:)
+        type(panel_set_type), allocatable :: sets(:)
+        type(panel_type), allocatable :: panels(:)
         integer :: i, outlines
 
-        allocate (computed(size(deck%job%body)), asked(0), bodies(0))
+        allocate (computed(size(deck%job%body)), asked(0), bodies(0), sets(0), panels(0))
         outlines = 0
         do i = 1, size(computed)
             call compute_body(deck%job, i, computed(i), faults)
             asked = [asked, computed(i)%cuts]
             outlines = outlines + size(computed(i)%outlines)
-            if (size(computed(i)%body%sections) > 0) bodies = [bodies, computed(i)%body]
+            call add_images(computed(i), panels)
+            if (size(computed(i)%body%sections) == 0) cycle
+            bodies = [bodies, computed(i)%body]
+            sets = [sets, panel_set_type(computed(i)%panels)]
         end do
-        if (size(bodies) + outlines == 0) return
+        if (size(bodies) + outlines + size(panels) == 0) return
         call begin_folder(folder, shared_scripts, error)
-        if (.not. allocated(error) .and. size(bodies) > 0) then
-            call write_drawing(lines_plan(bodies, plan_cuts(bodies, asked), deck%heading, &
-                deck%unit), 'lines', folder, error)
-            if (.not. allocated(error)) call write_drawing(view_drawing(bodies, deck%heading, &
-                deck%unit), 'view3d', folder, error)
-        end if
+        if (.not. allocated(error) .and. size(bodies) > 0) call write_drawing(lines_plan(bodies, &
+            plan_cuts(bodies, asked, sets), deck%heading, deck%unit), 'lines', folder, error)
+        if (.not. allocated(error) .and. size(bodies) + size(panels) > 0) call write_drawing( &
+            view_drawing(bodies, deck%heading, deck%unit, panels), 'view3d', folder, error)
         do i = 1, size(computed)
             if (allocated(error)) return
             call plot_one(deck, computed(i), i, folder, error)
@@ -146,7 +150,10 @@ contains
         call plot_ducts(deck, computed, heading, mark, folder, error)
         if (allocated(error)) return
         if (size(computed%body%sections) == 0) then
-            call plot_outlines(deck, computed%outlines, heading, folder, error)
+            if (size(computed%panels) > 0) call plot_cuts(deck, computed, number, heading, folder, &
+                error)
+            if (.not. allocated(error)) call plot_outlines(deck, computed%outlines, heading, &
+                folder, error)
             return
         end if
         call write_drawing(combs_drawing(computed%body, heading, deck%unit), 'combs'//mark, &
@@ -235,29 +242,6 @@ contains
             end do
         end associate
     end subroutine plot_cuts
-
-    !> A cut with points as close as the eye can tell; the cut itself where that can't be.
-    pure type(cut_type) function shape_of(computed, request, cut) result(shape)
-        type(computed_body_type), intent(in) :: computed    !! the body
-        type(request_type), intent(in) :: request           !! what was asked
-        type(cut_type), intent(in) :: cut                   !! what came out
-        type(error_type), allocatable :: error
-        type(cut_type) :: none(0)
-        real(dp) :: low(3), high(3)
-
-        call find_corners([computed%body], none, low, high)
-        call make_cut(computed%body, closely(request, maxval(high - low)), shape, error)
-        if (allocated(error)) shape = cut
-    end function shape_of
-
-    !> True where two planes are one.
-    pure logical function is_same(first, second)
-        type(plane_type), intent(in) :: first   !! a plane
-        type(plane_type), intent(in) :: second  !! another
-        is_same = first%kind == second%kind .and. &
-            all(abs(first%through - second%through) <= 0.0_dp) .and. &
-            all(abs(first%normal - second%normal) <= 0.0_dp)
-    end function is_same
 
     !> The stations among some cuts, deck units.
     pure function stations_of(cuts) result(stations)

@@ -22,6 +22,7 @@ module cut_outline
     private
 
     public :: cut_type, outline_type, piece_type, cut_point_type, note_type, panel_curve_type
+    public :: cut_at, has_panels
 
     !> A point of a cut. A value that does not exist is marked absent and is zero.
     type :: cut_point_type
@@ -96,5 +97,30 @@ module cut_outline
         real(dp) :: disagreement = 0.0_dp               !! largest distance between the two ways
         type(note_type), allocatable :: notes(:)        !! in no order
     end type cut_type
+
+contains
+
+    !> True for a cut that meets panels.
+    pure logical function has_panels(cut)
+        type(cut_type), intent(in) :: cut !! any
+        has_panels = .false.
+        if (allocated(cut%patched)) has_panels = size(cut%patched) > 0
+    end function has_panels
+
+    !> Where cuts of a kind stand along their axis, each ordinate once.
+    pure function cut_at(cuts, kind, axis) result(ordinates)
+        type(cut_type), intent(in) :: cuts(:)   !! of a body
+        integer, intent(in) :: kind             !! one of `cut_kind%...`
+        integer, intent(in) :: axis             !! 1 STA, 2 BL, 3 WL
+        real(dp), allocatable :: ordinates(:)
+        integer :: i
+
+        allocate (ordinates(0))
+        do i = 1, size(cuts)
+            if (cuts(i)%plane%kind /= kind) cycle
+            if (any(abs(ordinates - cuts(i)%plane%through(axis)) <= 0.0_dp)) cycle
+            ordinates = [ordinates, cuts(i)%plane%through(axis)]
+        end do
+    end function cut_at
 
 end module cut_outline

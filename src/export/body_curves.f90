@@ -12,6 +12,7 @@ module export_body_curves
     implicit none (type, external)
     private
 
+    public :: all_outlines
     public :: chain_strokes, outline_points, on_paper, body_range, swept_area, mirror_in_plane
 
 contains
@@ -49,6 +50,14 @@ contains
         end do
         if (range(1) > range(2)) range = 0.0_dp
     end function body_range
+
+    !> The outlines of a cut, on sections and on panels.
+    pure function all_outlines(cut) result(outlines)
+        type(cut_type), intent(in) :: cut !! any
+        type(outline_type), allocatable :: outlines(:)
+        allocate (outlines, source=cut%outlines)
+        if (allocated(cut%patched)) outlines = [outlines, cut%patched]
+    end function all_outlines
 
     !> STA, BL and WL along an outline, by columns. A station follows its arcs; the points of other
     !> cuts stand as close as they were asked to.

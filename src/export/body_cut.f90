@@ -6,7 +6,7 @@ module export_body_cut
     use base_text, only: to_text
     use cut_outline, only: cut_type, outline_type
     use cut_plane, only: cut_kind, plane_type
-    use export_body_curves, only: mirror_in_plane, on_paper, outline_points
+    use export_body_curves, only: all_outlines, mirror_in_plane, on_paper, outline_points
     use export_body_drawing, only: drawing_type, mark_of, word_side
     implicit none (type, external)
     private
@@ -42,9 +42,9 @@ contains
         call set_box(low, high, drawing)
         call draw_centre_line(cut%plane, drawing)
         if (is_mirrored) call draw_outlines(shape, shape%inside, 'mirror', .true., drawing)
-        if (is_mirrored) call draw_outlines(shape, shape%outlines, 'mirror', .true., drawing)
+        if (is_mirrored) call draw_outlines(shape, all_outlines(shape), 'mirror', .true., drawing)
         call draw_outlines(shape, shape%inside, 'inside', .false., drawing)
-        call draw_outlines(shape, shape%outlines, 'outline', .false., drawing)
+        call draw_outlines(shape, all_outlines(shape), 'outline', .false., drawing)
         call draw_points(cut, drawing)
     end function cut_drawing
 
@@ -125,13 +125,16 @@ contains
         logical, intent(in) :: is_mirrored          !! the port half is drawn
         real(dp), intent(out) :: low(2)             !! deck units; above `high`: nothing there
         real(dp), intent(out) :: high(2)            !! deck units
+        type(outline_type), allocatable :: outlines(:)
         real(dp), allocatable :: at(:, :), uv(:, :)
         integer :: i
 
         low = huge(1.0_dp)
         high = -huge(1.0_dp)
-        do i = 1, size(cut%outlines)
-            at = outline_points(cut%outlines(i))
+        allocate (outlines, source=all_outlines(cut))
+        do i = 1, size(outlines)
+            if (size(outlines(i)%points) == 0) cycle
+            at = outline_points(outlines(i))
             uv = on_paper(cut, at)
             low = min(low, minval(uv, dim=2))
             high = max(high, maxval(uv, dim=2))
@@ -208,14 +211,16 @@ contains
     pure subroutine draw_points(cut, drawing)
         type(cut_type), intent(in) :: cut               !! the cut
         type(drawing_type), intent(inout) :: drawing    !! gets them
+        type(outline_type), allocatable :: outlines(:)
         integer :: i, k, number, count
 
         number = 0
-        do i = 1, size(cut%outlines)
-            count = size(cut%outlines(i)%points)
+        allocate (outlines, source=all_outlines(cut))
+        do i = 1, size(outlines)
+            count = size(outlines(i)%points)
             do k = 1, count
                 number = number + 1
-                associate (uv => cut%outlines(i)%points(k)%uv)
+                associate (uv => outlines(i)%points(k)%uv)
                     call drawing%draw('point', reshape(uv, [2, 1]))
                     if (k > 1 .and. k < count) cycle
                     call drawing%write_where_free(to_text(number), &

@@ -6,10 +6,10 @@ module export_body_lines
     use base_kinds, only: dp
     use body_body, only: body_type
     use body_line, only: line_type
-    use cut_outline, only: cut_type
+    use cut_outline, only: cut_type, outline_type
     use cut_plane, only: cut_kind
-    use export_body_curves, only: body_range, chain_strokes, mirror_in_plane, outline_points, &
-        swept_area
+    use export_body_curves, only: all_outlines, body_range, chain_strokes, mirror_in_plane, &
+        outline_points, swept_area
     use export_body_drawing, only: drawing_type, mark_of, stroke_type
     use export_body_grid, only: draw_block, draw_grid
     use export_body_named, only: draw_named
@@ -64,6 +64,7 @@ contains
         type(cut_type), intent(in) :: cuts(:)       !! of these bodies
         real(dp), intent(out) :: low(3)             !! least STA, BL and WL, deck units
         real(dp), intent(out) :: high(3)            !! greatest, deck units
+        type(outline_type), allocatable :: outlines(:)
         real(dp), allocatable :: at(:, :)
         real(dp) :: range(2)
         integer :: i, k
@@ -82,8 +83,10 @@ contains
             end do
         end do
         do i = 1, size(cuts)
-            do k = 1, size(cuts(i)%outlines)
-                at = outline_points(cuts(i)%outlines(k))
+            if (allocated(outlines)) deallocate (outlines)
+            allocate (outlines, source=all_outlines(cuts(i)))
+            do k = 1, size(outlines)
+                at = outline_points(outlines(k))
                 low = min(low, minval(at, dim=2))
                 high = max(high, maxval(at, dim=2))
             end do
@@ -110,12 +113,15 @@ contains
         real(dp), intent(in) :: greatest                !! station of the greatest section
         logical, intent(in) :: is_split                 !! sections aft of it go to port
         type(drawing_type), intent(inout) :: drawing    !! gets them
+        type(outline_type), allocatable :: outlines(:)
         real(dp), allocatable :: at(:, :)
         integer :: i, k
 
         do i = 1, size(cuts)
-            do k = 1, size(cuts(i)%outlines)
-                at = outline_points(cuts(i)%outlines(k))
+            if (allocated(outlines)) deallocate (outlines)
+            allocate (outlines, source=all_outlines(cuts(i)))
+            do k = 1, size(outlines)
+                at = outline_points(outlines(k))
                 select case (cuts(i)%plane%kind)
                 case (cut_kind%station)
                     associate (sta => cuts(i)%plane%through(1))

@@ -5,11 +5,13 @@ module export_body_view
     use base_error, only: error_type
     use base_kinds, only: dp
     use body_body, only: body_type, mirrored_body, smooth_stops
+    use body_panel, only: panel_type
     use body_section, only: is_point, section_arc, section_type, trace_at, trace_type
     use export_body_curves, only: body_range
     use export_body_drawing, only: drawing_type
     use geom_arc, only: arc_type
     use geom_arc_point, only: point, tangent
+    use geom_bspline_surface, only: surface_point
     use geom_length, only: places_by_length
     use geom_place, only: at_shoulder, place_type
     use geom_vector, only: cross
@@ -28,15 +30,18 @@ module export_body_view
     integer, parameter :: rows = 36
     real(dp), parameter :: largest_turn = 11.25_dp
     !> Rows close to the ends of a body, in parts of the step of stations: a blunt end bends there.
+    !> Cells of a panel along u and v.
+    integer, parameter :: panel_columns = 16, panel_rows = 12
     real(dp), parameter :: close_rows(3) = [0.0625_dp, 0.25_dp, 0.5625_dp]
 
 contains
 
-    !> The view of some bodies.
-    pure type(drawing_type) function view_drawing(bodies, heading, unit) result(drawing)
+    !> The view of some bodies and of panels.
+    pure type(drawing_type) function view_drawing(bodies, heading, unit, panels) result(drawing)
         type(body_type), intent(in) :: bodies(:)    !! finished
         character(*), intent(in) :: heading         !! title of the deck
         character(*), intent(in) :: unit            !! name of its unit
+        type(panel_type), intent(in), optional :: panels(:) !! of the bodies, with their images
         type(body_type) :: whole
         real(dp), allocatable :: sta(:)
         real(dp) :: range(2)
@@ -61,7 +66,26 @@ contains
                 end associate
             end do
         end do
+        if (.not. present(panels)) return
+        do i = 1, size(panels)
+            call draw_grid(panel_grid(panels(i)), patch, drawing)
+        end do
     end function view_drawing
+
+    !> The grid of a panel.
+    pure type(grid_type) function panel_grid(panel) result(grid)
+        type(panel_type), intent(in) :: panel !! any
+        integer :: i, k
+
+        allocate (grid%at(3, panel_columns + 1, panel_rows + 1))
+        allocate (grid%is_there(panel_rows + 1), source=.true.)
+        do k = 0, panel_rows
+            do i = 0, panel_columns
+                grid%at(:, i + 1, k + 1) = surface_point(panel%surface, &
+                    real(i, dp)/real(panel_columns, dp), real(k, dp)/real(panel_rows, dp))
+            end do
+        end do
+    end function panel_grid
 
     !> The grid of a section.
     pure type(grid_type) function new_grid(body, section, sta) result(grid)

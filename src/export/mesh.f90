@@ -14,7 +14,7 @@ module export_mesh
     !> The triangles of one section of one half, or of one flat cap.
     type :: mesh_part_type
         character(:), allocatable :: name   !! `UPPER`, `UPPER P`, `CAP STA 280`
-        integer :: section = 0              !! in the body's list; 0: flat
+        integer :: section = 0              !! in the body's list; 0: flat; -1: a panel
         logical :: is_port = .false.        !! the mirror image of a part of the starboard half
         integer :: first = 1                !! its first triangle
         integer :: last = 0                 !! its last triangle

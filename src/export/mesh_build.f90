@@ -9,11 +9,13 @@ module export_mesh_build
     use base_kinds, only: dp
     use base_text, only: compact
     use body_body, only: body_type
+    use body_panel, only: panel_type
     use export_mesh, only: mesh_type, trim_mesh
     use export_mesh_cap, only: add_caps
     use export_mesh_density, only: density_type, find_density
     use export_mesh_edge, only: find_turn, find_twins, half_edge
     use export_mesh_mirror, only: add_port_half
+    use export_mesh_panel, only: add_panels
     use export_mesh_plan, only: new_plan, plan_type
     use export_mesh_row, only: first_row, lay_vertices, row_type
     use export_mesh_seam, only: join_row
@@ -23,7 +25,14 @@ module export_mesh_build
     implicit none (type, external)
     private
 
-    public :: build_mesh
+    public :: build_mesh, build_panel_mesh
+
+    !> What a mesh is made of.
+    type :: subject_type
+        type(body_type) :: body                     !! finished
+        type(density_type) :: density               !! of it
+        type(panel_type), allocatable :: panels(:)  !! of its starboard half, or of both
+    end type subject_type
 
     !> Plans that are tried; the part of the tolerance that a good one comes to, and that a plan is
     !> made for; the part that a turn must come down to for it to be worth going on.
@@ -41,13 +50,15 @@ contains
     !> Fails with `cause%usage` where tolerance or angle is not above zero, with `cause%too_many`
     !> where there would be too many triangles, with `cause%no_convergence` where the triangles stay
     !> further from the skin than asked, and as `section_arc` where a section has no arc.
-    pure subroutine build_mesh(body, settings, mesh, error)
+    pure subroutine build_mesh(body, settings, mesh, error, panels)
         type(body_type), intent(in) :: body                 !! finished
         type(settings_type), intent(in) :: settings         !! angle, is_open, and the tolerance, in
                                                             !! deck units
         type(mesh_type), intent(out) :: mesh                !! where there is no error
         type(error_type), allocatable, intent(out) :: error !! see above
-        type(density_type) :: density
+        type(panel_type), intent(in), optional :: panels(:) !! of the body; of a symmetric one those
+                                                            !! of the starboard half
+        type(subject_type) :: subject
         type(settings_type) :: aim
         type(mesh_type) :: tried
         integer :: try
@@ -56,12 +67,15 @@ contains
             call fail(error, cause%usage, 'tolerance and angle of a mesh must be above zero')
             return
         end if
-        call find_density(body, density, error)
+        subject%body = body
+        allocate (subject%panels(0))
+        if (present(panels)) subject%panels = panels
+        call find_density(body, subject%density, error)
         if (allocated(error)) return
         aim = settings
         aim%tolerance = wanted_part*settings%tolerance
         do try = 1, most_tries
-            call try_mesh(body, density, settings, aim, tried, error)
+            call try_mesh(subject, settings, aim, tried, error)
             if (allocated(error)) exit
             if (is_better(tried, mesh)) mesh = tried
             if (is_within(tried) .and. (try > 1 .or. &
@@ -70,7 +84,8 @@ contains
         end do
         if (is_within(mesh)) then
             if (allocated(error)) deallocate (error)
-            call turn_less(body, density, settings, aim, mesh)
+            call turn_less(subject, settings, aim, mesh)
+            call settle(mesh)
         else if (.not. allocated(error)) then
             call explain(mesh, error)
         end if
@@ -78,9 +93,8 @@ contains
 
     !> Makes a mesh again whose triangles turn more than asked from one to the next, as long as that
     !> helps; it is left as it is where the angle is not reached.
-    pure subroutine turn_less(body, density, settings, aim, mesh)
-        type(body_type), intent(in) :: body             !! finished
-        type(density_type), intent(in) :: density       !! of it
+    pure subroutine turn_less(subject, settings, aim, mesh)
+        type(subject_type), intent(in) :: subject       !! body and panels
         type(settings_type), intent(in) :: settings     !! what is asked
         type(settings_type), intent(inout) :: aim       !! of the plan of the mesh
         type(mesh_type), intent(inout) :: mesh          !! within the tolerance
@@ -93,7 +107,7 @@ contains
         do try = 1, most_tries
             if (turn <= settings%angle) return
             aim%angle = aim%angle*wanted_part*settings%angle/turn
-            call try_mesh(body, density, settings, aim, tried, error)
+            call try_mesh(subject, settings, aim, tried, error)
             if (allocated(error)) return
             if (tried%turn <= settings%angle .and. is_within(tried)) mesh = tried
             if (tried%turn > helpful_part*turn .and. is_within(tried)) return
@@ -128,6 +142,39 @@ contains
             wanted_part*tried%tolerance/max(tried%error, tiny(tolerance)))
     end subroutine take_aim
 
+    !> Takes the errors of panels into those of a mesh.
+    pure subroutine settle(mesh)
+        type(mesh_type), intent(inout) :: mesh !! finished
+        integer :: i
+        do i = 1, size(mesh%parts)
+            if (mesh%parts(i)%error <= mesh%error) cycle
+            mesh%error = mesh%parts(i)%error
+            mesh%worst = mesh%parts(i)%worst
+        end do
+    end subroutine settle
+
+    !> Builds the mesh of panels alone, in deck units, with the same failures.
+    pure subroutine build_panel_mesh(panels, settings, mesh, error)
+        type(panel_type), intent(in) :: panels(:)           !! of both halves
+        type(settings_type), intent(in) :: settings         !! angle, and tolerance in deck units
+        type(mesh_type), intent(out) :: mesh                !! where there is no error
+        type(error_type), allocatable, intent(out) :: error !! see `build_mesh`
+
+        if (.not. (settings%tolerance > 0.0_dp .and. settings%angle > 0.0_dp)) then
+            call fail(error, cause%usage, 'tolerance and angle of a mesh must be above zero')
+            return
+        end if
+        mesh%tolerance = settings%tolerance
+        mesh%angle = settings%angle
+        allocate (mesh%parts(0), mesh%normals(3, 8), mesh%vertices(3, 8))
+        call add_panels(panels, settings%tolerance, settings%angle, .false., mesh, error)
+        if (allocated(error)) return
+        call find_turn(mesh, find_twins(mesh), [real(dp) ::])
+        call trim_mesh(mesh)
+        call settle(mesh)
+        call conclude('', mesh)
+    end subroutine build_panel_mesh
+
     !> Says that a mesh stays too far from the skin.
     pure subroutine explain(mesh, error)
         type(mesh_type), intent(in) :: mesh                 !! the best one tried
@@ -144,9 +191,8 @@ contains
     end subroutine explain
 
     !> Builds the mesh of one plan.
-    pure subroutine try_mesh(body, density, settings, aim, mesh, error)
-        type(body_type), intent(in) :: body                 !! finished
-        type(density_type), intent(in) :: density           !! of it
+    pure subroutine try_mesh(subject, settings, aim, mesh, error)
+        type(subject_type), intent(in) :: subject           !! body and panels
         type(settings_type), intent(in) :: settings         !! what is asked
         type(settings_type), intent(in) :: aim              !! of the plan
         type(mesh_type), intent(out) :: mesh                !! where there is no error
@@ -156,27 +202,35 @@ contains
         integer, allocatable :: twin(:)
         character(:), allocatable :: why
 
-        call new_plan(density, aim%tolerance, aim%angle, body%is_symmetric, plan, error)
-        if (allocated(error)) return
-        mesh%tolerance = settings%tolerance
-        mesh%angle = settings%angle
-        allocate (mesh%parts(0), mesh%normals(3, 8))
-        call lay_vertices(body, plan, rows, mesh, error)
-        if (allocated(error)) return
-        call join_rows(plan, seam_part*aim%tolerance, rows, mesh)
-        call add_skin(body, plan, rows, mesh, error)
-        if (allocated(error)) return
-        mesh%stations = size(rows)
-        why = why_not_closed(body, plan)
-        if (len(why) == 0) call add_walls(body, plan, rows, mesh)
-        twin = find_twins(mesh)
-        call find_turn(mesh, twin, stops_of(plan))
-        if (len(why) == 0 .and. .not. aim%is_open) &
-            call add_caps(mesh, twin, stops_of(plan), body%is_symmetric)
-        if (body%is_symmetric) call add_port_half(mesh)
-        call trim_mesh(mesh)
-        if (aim%is_open .and. len(why) == 0) why = 'its ends are left open as asked'
-        call conclude(why, mesh)
+        associate (it => subject%body)
+            call new_plan(subject%density, aim%tolerance, aim%angle, it%is_symmetric, plan, error)
+            if (allocated(error)) return
+            mesh%tolerance = settings%tolerance
+            mesh%angle = settings%angle
+            allocate (mesh%parts(0), mesh%normals(3, 8))
+            call lay_vertices(it, plan, rows, mesh, error)
+            if (allocated(error)) return
+            call join_rows(plan, seam_part*aim%tolerance, rows, mesh)
+            call add_skin(it, plan, rows, mesh, error)
+            if (allocated(error)) return
+            mesh%stations = size(rows)
+            why = why_not_closed(it, plan)
+            if (len(why) == 0) call add_walls(it, plan, rows, mesh)
+            twin = find_twins(mesh)
+            call find_turn(mesh, twin, stops_of(plan))
+            if (size(subject%panels) > 0) then
+                call add_panels(subject%panels, settings%tolerance, settings%angle, &
+                    subject%body%is_symmetric, mesh, error)
+                if (allocated(error)) return
+                twin = find_twins(mesh)
+            end if
+            if (len(why) == 0 .and. .not. aim%is_open) &
+                call add_caps(mesh, twin, stops_of(plan), it%is_symmetric)
+            if (it%is_symmetric) call add_port_half(mesh)
+            call trim_mesh(mesh)
+            if (aim%is_open .and. len(why) == 0) why = 'its ends are left open as asked'
+            call conclude(why, mesh)
+        end associate
     end subroutine try_mesh
 
     !> The stations between which the runs of a plan are.

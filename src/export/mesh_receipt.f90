@@ -27,7 +27,7 @@ contains
                 entity%points = part%last - part%first + 1
                 entity%is_exact = part%section == 0
                 entity%error = part%error
-                entity%has_place = part%section > 0
+                entity%has_place = part%section /= 0
                 entity%worst = part%worst
             end associate
             call receipt%add(entity)

@@ -14,7 +14,7 @@ program test_point
     use support_tap, only: tap_type
     implicit none (type, external)
 
-    real(dp), parameter :: sta(3) = [1.0_dp, 0.0_dp, 0.0_dp], bl(3) = [0.0_dp, 1.0_dp, 0.0_dp], &
+    real(dp), parameter :: bl(3) = [0.0_dp, 1.0_dp, 0.0_dp], &
         wl(3) = [0.0_dp, 0.0_dp, 1.0_dp]
     type(tap_type) :: tap
     type(body_type) :: body
