@@ -187,9 +187,9 @@ contains
             do k = 1, size(made%notes)
                 call say(asked, made%notes(k)%message, made%notes(k)%is_error, said, faults)
             end do
-            if (max(requests(i)%skin, requests(i)%arcs) > 0.0_dp .and. has_panels(made)) &
-                call say(asked, 'SKIN and ARCS are of sections; outlines on patches and ducts '// &
-                'are their outside, as curves', .false., said, faults)
+            if (max(requests(i)%skin, requests(i)%arcs) > 0.0_dp .and. has_panels(made) &
+                .and. made%patches > 0) call say(asked, 'SKIN and ARCS are of sections; '// &
+                'outlines on patches are their outside, as curves', .false., said, faults)
             computed%cuts = [computed%cuts, made]
         end do
     end subroutine add_cuts
