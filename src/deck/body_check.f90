@@ -13,7 +13,7 @@ module deck_body_check
     implicit none (type, external)
     private
 
-    public :: check_card, has_option
+    public :: check_card, check_against, has_option
 
 contains
 
@@ -23,11 +23,21 @@ contains
         integer, intent(in) :: kind                     !! one of `body_card%...`
         type(fault_list_type), intent(inout) :: faults  !! what is wrong is added
         type(body_field_type), allocatable :: field(:)
+
+        allocate (field, source=fields_of(kind))
+        call check_against(card, body_layout(kind), field, faults)
+    end subroutine check_card
+
+    !> Looks at all fields of a card of any deck of words.
+    pure subroutine check_against(card, layout, field, faults)
+        type(card_type), intent(in) :: card             !! the card
+        type(body_layout_type), intent(in) :: layout    !! what it should be
+        type(body_field_type), intent(in) :: field(:)   !! and its fields
+        type(fault_list_type), intent(inout) :: faults  !! what is wrong is added
         logical :: is_match
         integer :: i, last
 
-        allocate (field, source=fields_of(kind))
-        is_match = has_option(card, kind, 'MATCH')
+        is_match = says_option(card, layout, field, 'MATCH')
         last = 1
         do i = 1, size(field)
             last = field(i)%field
@@ -42,10 +52,10 @@ contains
             if (is_repeated(field)) then
                 call check_field(card, field(size(field)), i, faults)
             else
-                call check_option(card, kind, i, last, faults)
+                call check_option(card, layout, i, last, faults)
             end if
         end do
-    end subroutine check_card
+    end subroutine check_against
 
     !> Blames the blank fields that must be filled; those side by side are one fault.
     pure subroutine check_missing(card, field, is_match, faults)
@@ -168,17 +178,15 @@ contains
     end subroutine check_name
 
     !> Looks at a filled field behind the last one of a layout: an option word, or a fault.
-    pure subroutine check_option(card, kind, number, last, faults)
+    pure subroutine check_option(card, layout, number, last, faults)
         type(card_type), intent(in) :: card             !! the card
-        integer, intent(in) :: kind                     !! one of `body_card%...`
+        type(body_layout_type), intent(in) :: layout    !! what it should be
         integer, intent(in) :: number                   !! the field of the card
         integer, intent(in) :: last                     !! last field of the layout
         type(fault_list_type), intent(inout) :: faults  !! what is wrong is added
-        type(body_layout_type) :: layout
         character(:), allocatable :: text
         integer :: i
 
-        layout = body_layout(kind)
         text = field_text(card, number)
         if (layout%options == '') then
             call blame(card, number, 'text behind the last field of the card, which is field '// &
@@ -200,14 +208,24 @@ contains
         integer, intent(in) :: kind         !! one of `body_card%...`
         character(*), intent(in) :: word    !! the option
         type(body_field_type), allocatable :: field(:)
-        integer :: i
 
         allocate (field, source=fields_of(kind))
-        has_option = .false.
-        if (.not. any(words_in(body_layout(kind)%options) == word)) return
-        do i = size(field) + merge(1, 2, body_layout(kind)%word == ''), field_count(card)
-            has_option = has_option .or. field_text(card, i) == word
-        end do
+        has_option = says_option(card, body_layout(kind), field, word)
     end function has_option
+
+    !> The same of any layout.
+    pure logical function says_option(card, layout, field, word)
+        type(card_type), intent(in) :: card             !! the card
+        type(body_layout_type), intent(in) :: layout    !! what it should be
+        type(body_field_type), intent(in) :: field(:)   !! and its fields
+        character(*), intent(in) :: word                !! the option
+        integer :: i
+
+        says_option = .false.
+        if (.not. any(words_in(layout%options) == word)) return
+        do i = size(field) + merge(1, 2, layout%word == ''), field_count(card)
+            says_option = says_option .or. field_text(card, i) == word
+        end do
+    end function says_option
 
 end module deck_body_check
