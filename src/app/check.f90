@@ -8,6 +8,8 @@ module app_check
     use base_error, only: error_type
     use base_fault, only: fault_list_type
     use base_output, only: output_type
+    use deck_audit, only: audit_deck_type
+    use deck_audit_reader, only: read_audit
     use deck_conic_card, only: conic_card_type
     use deck_conic_deck, only: conic_deck_type, found
     use deck_job, only: job_type
@@ -51,6 +53,7 @@ contains
         type(output_type), intent(inout) :: messages        !! diagnostics
         type(error_type), allocatable, intent(out) :: error !! see above
         type(deck_input_type) :: input
+        type(audit_deck_type) :: tables
         type(fault_list_type) :: faults
 
         is_faulty = .false.
@@ -58,6 +61,8 @@ contains
         if (.not. allocated(error)) then
             if (input%opening%kind == deck_kind_of%body) then
                 call check_body(input, faults, error)
+            else if (input%opening%kind == deck_kind_of%audit) then
+                call read_audit(input%source, input%opening%heading, tables, faults, error)
             else
                 call check_conics(input, faults, is_faulty, messages, error)
             end if

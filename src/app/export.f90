@@ -9,7 +9,7 @@ module app_export
         scale_parts, widest_tolerance, write_parts, write_sheets
     use app_file_set, only: file_set_type
     use app_files, only: base_name
-    use app_input, only: close_input, deck_input_type, open_input, spare_deck
+    use app_input, only: close_input, deck_input_type, open_input, refuse_tables, spare_deck
     use app_options, only: options_type
     use app_progress, only: begin_progress, end_progress, tell_progress
     use app_status, only: status
@@ -101,6 +101,7 @@ contains
 
         input%has_checksum = .true.
         call open_input(export%deck, input, faults, error)
+        if (.not. allocated(error)) call refuse_tables(input, error)
         if (.not. allocated(error)) call spare_deck(export%deck, export%output, error)
         if (.not. allocated(error)) then
             call print_faults(faults, input%name, .false., messages)

@@ -4,12 +4,12 @@ module app_input
     use base_error, only: cause, error_type, fail
     use base_fault, only: fault_list_type
     use base_posix, only: real_path
-    use deck_kind, only: opening_type, read_opening
+    use deck_kind, only: deck_kind_of, opening_type, read_opening
     use deck_source, only: source_type
     implicit none (type, external)
     private
 
-    public :: deck_input_type, open_input, close_input, spare_deck
+    public :: deck_input_type, open_input, close_input, spare_deck, refuse_tables
 
     !> A deck being read.
     type :: deck_input_type
@@ -38,6 +38,14 @@ contains
         call read_opening(input%source, input%opening, faults, error)
         if (allocated(error)) error%message = name//': '//error%message
     end subroutine open_input
+
+    !> Refuses a deck of printed tables, of which no body is made.
+    subroutine refuse_tables(input, error)
+        type(deck_input_type), intent(in) :: input          !! a deck, opened
+        type(error_type), allocatable, intent(out) :: error !! `cause%usage`
+        if (input%opening%kind == deck_kind_of%audit) call fail(error, cause%usage, input%name// &
+            ' is a deck of printed tables; loft audit finds what is right in them')
+    end subroutine refuse_tables
 
     !> Closes a deck.
     subroutine close_input(input)

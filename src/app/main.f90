@@ -1,6 +1,7 @@
 !> LOFT, a batch program for conic lofting: reads the command line, does what it asks, prints what
 !> went wrong and sets the exit status.
 program loft
+    use app_audit, only: audit_tables
     use app_check, only: check_decks
     use app_export, only: export_deck
     use app_files, only: hold_standard_files
@@ -36,6 +37,8 @@ program loft
             call plot_deck(options, exit_status, messages, error)
         case ('export')
             call export_deck(options, exit_status, messages, error)
+        case ('audit')
+            call audit_tables(options, exit_status, messages, error)
         case ('help')
             call print_help(topic(options), answer, error)
         case ('version')

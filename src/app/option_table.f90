@@ -13,21 +13,22 @@ module app_option_table
                                     !! `path`, `text`, `paper` (one of `words`; behind roll a width)
         character(48) :: words      !! what it may be, where its kind is `words` or `paper`; what a
                                     !! number is of
-        character(26) :: commands   !! the commands that take it
+        character(40) :: commands   !! the commands that take it
         character(40) :: formats    !! the files of `export` it matters to; blank: all
     end type option_layout_type
 
     !> All of them.
-    type(option_layout_type), parameter :: known(26) = [ &
+    type(option_layout_type), parameter :: known(27) = [ &
         option_layout_type('--arithmetic', 'words', 'ieee s360', 'run', ''), &
         option_layout_type('--shift', 'number', 'in deck units', 'run', ''), &
         option_layout_type('--asa', 'flag', '', 'run', ''), &
         option_layout_type('--format', 'words', 'listing csv', 'run', ''), &
         option_layout_type('--format', 'words', 'svg pdf png txt', 'plot', ''), &
+        option_layout_type('--format', 'words', 'listing csv deck', 'audit', ''), &
         option_layout_type('--format', 'words', 'svg pdf dxf iges step stl obj nc hrm wgs csv', &
             'export', ''), &
-        option_layout_type('-o', 'path', '', 'run plot export', ''), &
-        option_layout_type('--help', 'flag', '', 'run check plot export help', ''), &
+        option_layout_type('-o', 'path', '', 'run plot export audit', ''), &
+        option_layout_type('--help', 'flag', '', 'run check plot export audit help', ''), &
         option_layout_type('--tolerance', 'positive', 'in deck units', 'export', ''), &
         option_layout_type('--units', 'words', 'in mm ft m', 'export', &
             'svg pdf dxf iges step stl obj nc hrm wgs'), &

@@ -25,7 +25,7 @@ module app_options
 
     !> What the command line asks for.
     type :: options_type
-        character(:), allocatable :: command    !! run, check, plot, export, help or version
+        character(:), allocatable :: command    !! run, check, plot, export, audit, help or version
         character(:), allocatable :: arithmetic !! ieee or s360
         character(:), allocatable :: format     !! of the result; empty: not said
         character(:), allocatable :: output     !! file or folder of `-o`, or nothing
@@ -37,7 +37,7 @@ module app_options
     end type options_type
 
     !> The commands.
-    character(*), parameter :: commands = 'run check plot export help'
+    character(*), parameter :: commands = 'run check plot export audit help'
 
 contains
 
@@ -243,7 +243,7 @@ contains
         type(error_type), allocatable, intent(out) :: error !! `cause%usage`
 
         select case (options%command)
-        case ('run', 'plot', 'export')
+        case ('run', 'plot', 'export', 'audit')
             if (size(options%operand) > 1) call fail(error, cause%usage, &
                 'loft '//options%command//' takes one deck; '''// &
                 options%operand(2)%text//''' is too much')
@@ -253,7 +253,7 @@ contains
         case ('version')
             if (size(options%operand) > 0) call fail(error, cause%usage, '--version stands alone')
         end select
-        if (size(options%operand) == 0 .and. is_one_of(options%command, 'check plot export')) then
+        if (size(options%operand) == 0 .and. is_one_of(options%command, 'check plot export audit')) then
             call fail(error, cause%usage, &
                 'loft '//options%command//' needs a deck (- is standard input)')
         end if

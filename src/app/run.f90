@@ -1,7 +1,7 @@
 !> `loft run`: a deck in, its tables out.
 module app_run
     use app_files, only: result_file_type
-    use app_input, only: close_input, deck_input_type, open_input, spare_deck
+    use app_input, only: close_input, deck_input_type, open_input, refuse_tables, spare_deck
     use app_options, only: options_type
     use app_run_body, only: run_body_deck
     use app_run_conics, only: run_conics
@@ -38,6 +38,7 @@ contains
         if (size(options%operand) > 0) name = options%operand(1)%text
         exit_status = status%unusable
         call open_input(name, input, faults, error)
+        if (.not. allocated(error)) call refuse_tables(input, error)
         if (.not. allocated(error)) call spare_deck(name, options%output, error)
         if (.not. allocated(error)) call result_file%begin(options%output, out, error)
         if (.not. allocated(error)) then

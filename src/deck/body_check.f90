@@ -15,6 +15,9 @@ module deck_body_check
 
     public :: check_card, check_against, has_option
 
+    !> Characters of the longest figure as printed.
+    integer, parameter :: most_characters = 24
+
 contains
 
     !> Looks at all fields of a card.
@@ -49,8 +52,10 @@ contains
         call check_missing(card, field, is_match, faults)
         do i = last + 1, field_count(card)
             if (.not. is_filled(card, i)) cycle
-            if (is_repeated(field)) then
+            if (is_repeated(field, need%repeated)) then
                 call check_field(card, field(size(field)), i, faults)
+            else if (is_repeated(field, need%paired)) then
+                call check_field(card, field(size(field) - modulo(i - last, 2)), i, faults)
             else
                 call check_option(card, layout, i, last, faults)
             end if
@@ -108,11 +113,12 @@ contains
             (field%need == need%repeated .and. field_count(card) < field%field))
     end function is_missing
 
-    !> True where the last field of a card may be repeated.
-    pure logical function is_repeated(field)
+    !> True where the last field of a card may be repeated, alone or with the one before it.
+    pure logical function is_repeated(field, how)
         type(body_field_type), intent(in) :: field(:) !! fields of a card
+        character, intent(in) :: how                  !! `need%repeated` or `need%paired`
         is_repeated = .false.
-        if (size(field) > 0) is_repeated = field(size(field))%need == need%repeated
+        if (size(field) > 0) is_repeated = field(size(field))%need == how
     end function is_repeated
 
     !> Looks at one field that is not blank.
@@ -135,6 +141,8 @@ contains
             end if
         case (form%name)
             call check_name(card, field, number, faults)
+        case (form%figure)
+            call check_figure(card, field, number, faults)
         case default
             if (any(words_in(field%words) == text)) return
             call blame(card, number, trim(field%name)//' is '//in_words(words_in(field%words))// &
@@ -176,6 +184,23 @@ contains
         if (looks_like_number(text)) trouble = 'a number where a name is expected; '//trouble
         call blame(card, number, trim(field%name)//': '//trouble, faults)
     end subroutine check_name
+
+    !> Looks at a field that must be a figure as it is printed, of which some may not be readable.
+    pure subroutine check_figure(card, field, number, faults)
+        type(card_type), intent(in) :: card             !! the card
+        type(body_field_type), intent(in) :: field      !! layout of the field
+        integer, intent(in) :: number                   !! which field of the card
+        type(fault_list_type), intent(inout) :: faults  !! what is wrong is added
+        character(:), allocatable :: text
+        integer :: bad
+
+        text = field_text(card, number)
+        bad = verify(text, '0123456789.-+?')
+        if (len(text) > most_characters) bad = most_characters + 1
+        if (bad > 0) call blame_inside(card, number, bad, bad, trim(field%name)// &
+            ': a figure as printed has digits, a sign and a point, or dashes between feet, '// &
+            'inches and eighths, at most 24 characters; ? is one that can''t be read', faults)
+    end subroutine check_figure
 
     !> Looks at a filled field behind the last one of a layout: an option word, or a fault.
     pure subroutine check_option(card, layout, number, last, faults)

@@ -36,6 +36,8 @@ contains
             words = 'name'
         case (form%either)
             words = 'no./name'
+        case (form%figure)
+            words = 'figure'
         case default
             words = 'word'
         end select

@@ -14,6 +14,7 @@ module deck_body_layout
         character :: name = 'A'     !! a name: a letter, then letters, figures and - _ . /
         character :: word = 'W'     !! one of some words
         character :: either = 'E'   !! a decimal number or a name
+        character :: figure = 'P'   !! a figure as it is printed: its very characters
     end type form_list
     type(form_list), parameter, public :: form = form_list()
 
@@ -23,6 +24,8 @@ module deck_body_layout
         character :: unmatched = 'U'    !! it must be filled unless the card says MATCH
         character :: optional = 'O'     !! it may be blank
         character :: repeated = 'R'     !! as are all fields behind it; one must be filled
+        character :: paired = 'P'       !! it may be blank; fields behind it are like it and the
+                                        !! one before in turn
     end type need_list
     type(need_list), parameter, public :: need = need_list()
 
@@ -35,7 +38,7 @@ module deck_body_layout
         character :: need           !! one of `need%...`
         character(9) :: unit        !! deck units, a slope, degrees, or none
         character(64) :: meaning    !! one line for the card reference
-        character(40) :: words = '' !! `form%word`: the words it may hold
+        character(48) :: words = '' !! `form%word`: the words it may hold
     end type body_field_type
 
     !> A card: its word, the word in its second field where that tells it from its likes, the option

@@ -4,7 +4,7 @@ module deck_body_word
     implicit none (type, external)
     private
 
-    public :: words_in, nearest_word, suggestion, in_words, name_trouble, begins_as_word
+    public :: words_in, place_of, nearest_word, suggestion, in_words, name_trouble, begins_as_word
 
     !> Characters of a word or name.
     integer, parameter, public :: word_length = 8
@@ -40,6 +40,15 @@ contains
             if (i == 1 .or. text(max(i - 1, 1):max(i - 1, 1)) == ' ') word_count = word_count + 1
         end do
     end function word_count
+
+    !> Which word of a list a text is, from 1; 0 where it is none.
+    pure integer function place_of(text, word) result(place)
+        character(*), intent(in) :: text    !! what was read
+        character(*), intent(in) :: word(:) !! the list
+        do place = size(word), 1, -1
+            if (word(place) == text) return
+        end do
+    end function place_of
 
     !> The word of a list that a text was likely meant to be, or nothing.
     pure function nearest_word(text, word) result(nearest)

@@ -1,6 +1,7 @@
-!> What kind of deck is it? The first card that is not blank, a comment, TITLE or UNITS decides: a
-!> word in its first field makes a body deck, a number or nothing a 1970 deck. That card is put
-!> back, so that a deck from a pipe needs to be read only once.
+!> What kind of deck is it? The first card that is not blank, a comment, TITLE or UNITS decides:
+!> the word AUDIT in its first field makes a deck of printed tables, any other word a body deck, a
+!> number or nothing a 1970 deck. That card is put back, so that a deck from a pipe needs to be
+!> read only once.
 module deck_kind
     use base_error, only: error_type
     use base_fault, only: fault_list_type
@@ -15,6 +16,7 @@ module deck_kind
     type, public :: deck_kind_list
         integer :: conic = 1    !! a 1970 deck; so are an empty one and one with a null byte
         integer :: body = 2     !! a body deck
+        integer :: audit = 3    !! a deck of printed tables
     end type deck_kind_list
 
     !> The kinds by name: `deck_kind_of%body`.
@@ -51,6 +53,7 @@ contains
             else if (begins_with_word(line)) then
                 if (allocated(comment)) deallocate (comment)
                 opening%kind = deck_kind_of%body
+                if (card_word(line) == 'AUDIT') opening%kind = deck_kind_of%audit
                 if (card_word(line) /= 'TITLE' .and. card_word(line) /= 'UNITS') exit
                 opening%kind = deck_kind_of%conic
                 call read_heading_card(line, opening%heading, faults)
