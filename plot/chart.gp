@@ -34,10 +34,12 @@ if (format eq 'txt') { title_text = title_text."\n"."upwards: ".y_axis; unset yl
 set title title_text noenhanced textcolor rgb ink
 unset key
 
+# A layer is drawn twice, as lines and as points; once of them out of sight.
+away = y_low - (y_high - y_low)
 data = picture.'.dat'
-plot for [i=1:layers] data index i-1 using 1:(is_mark(style[i]) ? NaN : $2) with lines \
+plot for [i=1:layers] data index i-1 using 1:(is_mark(style[i]) ? away : $2) with lines \
          linestyle stroke(style[i]), \
-     for [i=1:layers] data index i-1 using 1:(is_mark(style[i]) ? $2 : NaN) with points \
+     for [i=1:layers] data index i-1 using 1:(is_mark(style[i]) ? $2 : away) with points \
          linestyle stroke(style[i]), \
      for [s=0:(words > 0 ? 2 : -1)] data index layers using 1:2:(stands($4, $5, -1, s) ? word[int($3)] : "") \
          with labels right font fonts[s+1] textcolor rgb ink noenhanced, \

@@ -8,7 +8,7 @@ module app_picture_name
     implicit none (type, external)
     private
 
-    public :: cut_name
+    public :: cut_name, safe_word
 
 contains
 

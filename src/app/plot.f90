@@ -4,6 +4,7 @@ module app_plot
     use app_input, only: close_input, deck_input_type, open_input
     use app_options, only: options_type
     use app_picture_folder, only: draw_pictures, folder_type
+    use app_plot_audit, only: plot_audit
     use app_plot_body, only: plot_body
     use app_plot_conics, only: plot_conics
     use app_status, only: status
@@ -42,6 +43,8 @@ contains
             call print_faults(faults, input%name, .false., messages)
             if (input%opening%kind == deck_kind_of%body) then
                 call plot_body(input, folder, is_faulty, messages, error)
+            else if (input%opening%kind == deck_kind_of%audit) then
+                call plot_audit(input, folder, is_faulty, messages, error)
             else
                 call plot_conics(input, folder, is_faulty, messages, error)
             end if

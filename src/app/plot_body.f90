@@ -2,9 +2,10 @@
 !> curve of each body, the view in space.
 module app_plot_body
     use api_computed_body, only: compute_body, computed_body_type
-    use app_files, only: base_name, result_file_type
+    use app_files, only: base_name
     use app_input, only: deck_input_type
-    use app_picture_folder, only: add_picture, begin_folder, folder_type
+    use app_picture_drawing, only: write_drawing
+    use app_picture_folder, only: begin_folder, folder_type
     use app_picture_name, only: cut_name
     use app_plan_cuts, only: panel_set_type, plan_cuts
     use app_plot_shape, only: add_images, is_same, shape_of
@@ -26,8 +27,6 @@ module app_plot_body
     use export_body_area, only: area_drawing
     use export_body_combs, only: combs_drawing
     use export_body_cut, only: cut_drawing
-    use export_body_drawing, only: drawing_type
-    use export_body_gnuplot, only: print_drawing_data, print_drawing_script
     use export_body_lines, only: lines_plan
     use export_body_view, only: view_drawing
     use export_duct_area, only: duct_area_drawing
@@ -251,32 +250,5 @@ contains
         stations = pack([(cuts(i)%plane%through(1), i = 1, size(cuts))], &
             cuts%plane%kind == cut_kind%station)
     end function stations_of
-
-    !> Writes data and script of a drawing, where there is something on it.
-    !>
-    !> Fails with `cause%file_trouble`.
-    subroutine write_drawing(drawing, name, folder, error)
-        type(drawing_type), intent(in) :: drawing           !! what is drawn
-        character(*), intent(in) :: name                    !! of its files
-        type(folder_type), intent(inout) :: folder          !! gets it
-        type(error_type), allocatable, intent(out) :: error !! see above
-        type(result_file_type) :: data_file, script_file
-        type(output_type) :: data, script
-        type(drawing_type) :: named
-
-        if (drawing%layers == 0) return
-        named = drawing
-        named%name = name
-        call data_file%begin(folder%path//'/'//name//'.dat', data, error)
-        if (allocated(error)) return
-        call print_drawing_data(named, data)
-        call data_file%complete(data, error)
-        if (allocated(error)) return
-        call script_file%begin(folder%path//'/'//name//'.gp', script, error)
-        if (allocated(error)) return
-        call print_drawing_script(named, folder%format, script)
-        call script_file%complete(script, error)
-        if (.not. allocated(error)) call add_picture(folder, name)
-    end subroutine write_drawing
 
 end module app_plot_body

@@ -205,7 +205,7 @@ contains
         middle = 0.5_dp*(piece%first + piece%last)
         do i = 1, size(line%reading)
             if (.not. piece%chosen(i) .or. line%reading(i)%sort /= sort%ordinate .or. &
-                line%reading(i)%meaning /= meaning%exact) cycle
+                line%reading(i)%meaning == meaning%printed) cycle
             if ((line%reading(i)%along - piece%first)*(piece%last - line%reading(i)%along) > &
                 0.0_dp) middle = line%reading(i)%along
         end do

@@ -7,10 +7,10 @@
 module audit_deck
     use audit_audit, only: audit_type, make_audit
     use audit_cross, only: control_of, cross_checks, cross_type
-    use audit_figure, only: figure_length, form, value_of
+    use audit_figure, only: figure_length, form
     use audit_finding, only: finding_type
-    use audit_item, only: add_reading, entry_of, item_type, new_item, number_of, &
-        point_of, room
+    use audit_item, only: add_reading, entry_of, is_contradicted, item_type, new_item, number_of, &
+        point_of, room, softened
     use audit_printing, only: printing
     use audit_reading, only: meaning, reading_type, sort
     use audit_steps, only: judge_step
@@ -111,16 +111,43 @@ contains
     subroutine audit_some(item, chosen)
         type(item_type), intent(inout) :: item(:)   !! the tables
         logical, intent(in) :: chosen(:)            !! which
-        type(error_type), allocatable :: error
         integer :: i
-        !$omp parallel do schedule(dynamic) private(error)
+        !$omp parallel do schedule(dynamic)
         do i = 1, size(item)
-            if (.not. chosen(i)) cycle
-            call make_audit(item(i)%line, item(i)%audit, error)
-            item(i)%is_audited = .not. allocated(error)
+            if (chosen(i)) call audit_one(item(i))
         end do
         !$omp end parallel do
     end subroutine audit_some
+
+    !> Audits a table. Where readings contradict numbers known exactly, the line is found a second
+    !> time without holding those; that one is taken which more readings agree on.
+    pure subroutine audit_one(item)
+        type(item_type), intent(inout) :: item      !! the table
+        type(audit_type) :: other
+        type(error_type), allocatable :: error
+        integer :: i
+
+        call make_audit(item%line, item%audit, error)
+        item%is_audited = .not. allocated(error)
+        if (.not. any(is_contradicted(item, [(i, i = 1, size(item%entry))]))) return
+        call make_audit(softened(item), other, error)
+        if (allocated(error)) return
+        if (item%is_audited) then
+            if (agreeing(other) <= agreeing(item%audit)) return
+        end if
+        item%audit = other
+        item%is_audited = .true.
+    end subroutine audit_one
+
+    !> Readings that agree on a line, less the exact numbers that had to be given up for it.
+    pure integer function agreeing(audit)
+        type(audit_type), intent(in) :: audit !! of a table
+        integer :: i
+        agreeing = 0
+        do i = 1, size(audit%piece)
+            agreeing = agreeing + audit%piece(i)%fit%met - count(audit%piece(i)%fit%given_up)
+        end do
+    end function agreeing
 
     !> The way of printing that most figures of tables of unknown printing are met by.
     pure integer function common_way(item) result(way)
@@ -191,28 +218,9 @@ contains
             reading%along = along
             reading%low = found%low - room*found%unit
             reading%high = found%high + room*found%unit
-            call doubt(item(i), point, [reading%low, reading%high])
             call add_reading(item(i), reading, 0)
         end do
     end subroutine hold_to_lines
-
-    !> Holds a section no more to the Y of a point that its line does not allow: one of them is bad.
-    pure subroutine doubt(item, point, between)
-        type(item_type), intent(inout) :: item  !! the section
-        integer, intent(in) :: point            !! 1 to 3
-        real(dp), intent(in) :: between(2)      !! least and greatest that the line allows
-        integer, parameter :: y(3) = [known%y1, known%y2, known%y3]
-        integer :: r
-
-        r = findloc(item%entry, entry_of(item%table, y(point)), dim=1)
-        if (r == 0) return
-        associate (it => item%line%reading(r))
-            if (it%meaning /= meaning%exact) return
-            if (value_of(it%figure%units, it%figure%scale) < between(1) .or. &
-                value_of(it%figure%units, it%figure%scale) > between(2)) &
-                it%meaning = meaning%rounded
-        end associate
-    end subroutine doubt
 
     !> Puts what is known of a point of a section at another X.
     pure subroutine move_point(item, point, to, along)

@@ -12,7 +12,7 @@ module audit_item
     implicit none (type, external)
     private
 
-    public :: item_type, new_item, add_reading, entry_of, number_of, point_of
+    public :: item_type, new_item, softened, is_contradicted, add_reading, entry_of, number_of, point_of
 
     !> A table and what is found of it.
     type :: item_type
@@ -55,29 +55,44 @@ contains
             i = entry_of(table, what)
             if (i > 0) call add_known(item, i)
         end do
-        do i = 1, size(item%entry)
-            if (is_contradicted(item, i)) item%line%reading(i)%meaning = meaning%rounded
-        end do
     end function new_item
 
-    !> True for an ordinate known exactly where a row at the same X says otherwise: one of them is
-    !> bad, so that nothing can be held to it.
-    pure logical function is_contradicted(item, known_one)
+    !> The line of a table, held to no number known exactly that another reading contradicts.
+    pure type(line_type) function softened(item) result(line)
+        type(item_type), intent(in) :: item !! a table
+        integer :: i
+        line = item%line
+        do i = 1, size(item%entry)
+            if (is_contradicted(item, i)) line%reading(i)%meaning = meaning%rounded
+        end do
+    end function softened
+
+    !> True for an ordinate known exactly of which a row at the same X, or a control line, says
+    !> otherwise: one of the two is bad.
+    elemental logical function is_contradicted(item, known_one) result(is)
         type(item_type), intent(in) :: item !! a table
         integer, intent(in) :: known_one    !! which reading
+        real(dp) :: value, between(2)
         integer :: i
 
-        is_contradicted = .false.
+        is = .false.
         associate (it => item%line%reading(known_one))
-            if (it%sort /= sort%ordinate .or. it%meaning /= meaning%exact) return
+            if (it%sort /= sort%ordinate .or. it%meaning /= meaning%exact .or. &
+                .not. it%figure%is_sound) return
+            value = value_of(it%figure%units, it%figure%scale)
             do i = 1, size(item%entry)
-                associate (row => item%line%reading(i))
-                    if (row%meaning /= meaning%printed .or. row%sort /= sort%ordinate .or. &
-                        row%column /= 1 .or. .not. is_equal(row%along, it%along)) cycle
-                    is_contradicted = row%figure%is_sound .and. it%figure%is_sound .and. &
-                        abs(value_of(row%figure%units, row%figure%scale) - &
-                        value_of(it%figure%units, it%figure%scale)) > &
-                        room*unit_of(row%figure%scale)
+                associate (other => item%line%reading(i))
+                    if (other%sort /= sort%ordinate .or. other%column /= 1 .or. &
+                        .not. is_equal(other%along, it%along)) cycle
+                    if (other%meaning == meaning%between) then
+                        between = [other%low, other%high]
+                    else if (other%meaning == meaning%printed .and. other%figure%is_sound) then
+                        between = value_of(other%figure%units, other%figure%scale) + &
+                            [-room, room]*unit_of(other%figure%scale)
+                    else
+                        cycle
+                    end if
+                    is = is .or. value < between(1) .or. value > between(2)
                 end associate
             end do
         end associate
