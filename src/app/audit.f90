@@ -12,7 +12,7 @@ module app_audit
     use base_fault, only: fault_list_type
     use base_output, only: output_type
     use deck_audit, only: audit_deck_type
-    use deck_audit_reader, only: read_audit
+    use deck_audit_file, only: read_tables
     use deck_kind, only: deck_kind_of
     use report_fault, only: print_faults
     implicit none (type, external)
@@ -43,7 +43,7 @@ contains
         name = options%operand(1)%text
         exit_status = status%unusable
         call open_input(name, input, faults, error)
-        if (.not. allocated(error)) call read_tables(input, deck, faults, error)
+        if (.not. allocated(error)) call read_deck(input, deck, faults, error)
         call close_input(input)
         if (allocated(error)) return
         call spare_deck(name, options%output, error)
@@ -59,20 +59,20 @@ contains
     !> Reads the tables.
     !>
     !> Fails with `cause%usage` where there are none, and with `cause%file_trouble`.
-    subroutine read_tables(input, deck, faults, error)
+    subroutine read_deck(input, deck, faults, error)
         type(deck_input_type), intent(inout) :: input       !! the deck, at its first card
         type(audit_deck_type), intent(out) :: deck          !! its tables
         type(fault_list_type), intent(inout) :: faults      !! what is wrong is added
         type(error_type), allocatable, intent(out) :: error !! see above
 
-        if (input%opening%kind /= deck_kind_of%audit) then
+        if (input%opening%kind < deck_kind_of%audit) then
             call fail(error, cause%usage, input%name//' is no deck of printed tables, whose '// &
                 'first card is AUDIT; loft help audit has an example')
             return
         end if
-        call read_audit(input%source, input%opening%heading, deck, faults, error)
+        call read_tables(input%source, input%opening, deck, faults, error)
         if (allocated(error)) error%message = input%name//': '//error%message
-    end subroutine read_tables
+    end subroutine read_deck
 
     !> Audits and prints.
     subroutine print_result(format, deck, deck_name, out)

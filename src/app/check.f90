@@ -9,7 +9,7 @@ module app_check
     use base_fault, only: fault_list_type
     use base_output, only: output_type
     use deck_audit, only: audit_deck_type
-    use deck_audit_reader, only: read_audit
+    use deck_audit_file, only: read_tables
     use deck_conic_card, only: conic_card_type
     use deck_conic_deck, only: conic_deck_type, found
     use deck_job, only: job_type
@@ -61,8 +61,8 @@ contains
         if (.not. allocated(error)) then
             if (input%opening%kind == deck_kind_of%body) then
                 call check_body(input, faults, error)
-            else if (input%opening%kind == deck_kind_of%audit) then
-                call read_audit(input%source, input%opening%heading, tables, faults, error)
+            else if (input%opening%kind >= deck_kind_of%audit) then
+                call read_tables(input%source, input%opening, tables, faults, error)
             else
                 call check_conics(input, faults, is_faulty, messages, error)
             end if

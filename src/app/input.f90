@@ -43,7 +43,7 @@ contains
     subroutine refuse_tables(input, error)
         type(deck_input_type), intent(in) :: input          !! a deck, opened
         type(error_type), allocatable, intent(out) :: error !! `cause%usage`
-        if (input%opening%kind == deck_kind_of%audit) call fail(error, cause%usage, input%name// &
+        if (input%opening%kind >= deck_kind_of%audit) call fail(error, cause%usage, input%name// &
             ' is a deck of printed tables; loft audit finds what is right in them')
     end subroutine refuse_tables
 

@@ -43,7 +43,7 @@ contains
             call print_faults(faults, input%name, .false., messages)
             if (input%opening%kind == deck_kind_of%body) then
                 call plot_body(input, folder, is_faulty, messages, error)
-            else if (input%opening%kind == deck_kind_of%audit) then
+            else if (input%opening%kind >= deck_kind_of%audit) then
                 call plot_audit(input, folder, is_faulty, messages, error)
             else
                 call plot_conics(input, folder, is_faulty, messages, error)

@@ -14,7 +14,7 @@ module app_plot_audit
     use base_output, only: output_type
     use base_text, only: row_of, to_text
     use deck_audit, only: audit_deck_type
-    use deck_audit_reader, only: read_audit
+    use deck_audit_file, only: read_tables
     use report_fault, only: print_faults
     implicit none (type, external)
     private
@@ -43,7 +43,7 @@ contains
         integer :: i, sorts
 
         is_faulty = .false.
-        call read_audit(input%source, input%opening%heading, deck, faults, error)
+        call read_tables(input%source, input%opening, deck, faults, error)
         if (allocated(error)) then
             error%message = input%name//': '//error%message
             return

@@ -12,8 +12,8 @@ module audit_cards
 
 contains
 
-    !> Prints the cards, each under a comment that names its table. A table without a whole card has
-    !> the comment alone.
+    !> Prints the cards, each under a comment that names its table. A table without a card has the
+    !> comment alone.
     subroutine print_audit_cards(deck, found, out)
         type(audit_deck_type), intent(in) :: deck   !! the tables
         type(deck_audit_type), intent(in) :: found  !! what was found
@@ -29,12 +29,12 @@ contains
                     cycle
                 end if
                 do k = 1, size(item%audit%piece)
-                    if (item%audit%piece(k)%card%is_whole) then
+                    if (card_image(item, item%audit%piece(k)) /= '') then
                         call out%line('* '//table_title(item))
                         call out%line(trim(card_image(item, item%audit%piece(k))))
                     else
-                        call out%line('* '//table_title(item)//': not all numbers of its card '// &
-                            'are bounded')
+                        call out%line('* '//table_title(item)//': no card: the good figures '// &
+                            'do not tell all of its numbers')
                     end if
                 end do
             end associate

@@ -2,22 +2,26 @@
 !>
 !>     table,view,at,what,along,printed,computed,low,high,residual,verdict,corrected,slip,sure
 !>
-!> `what` is `row` or a field of a card; `along` its X, or `Y` and its Y. `low` and `high` are what
-!> the good figures allow, `residual` printed less computed in units of the last place.
+!> The first six cells are those that `deck_audit_csv` reads. `low` and `high` are what the good
+!> figures allow, `residual` is printed less computed in units of the last place.
 module audit_csv
     use audit_deck, only: deck_audit_type
     use audit_finding, only: finding_type, verdict, verdict_name
-    use audit_item, only: entry_of, item_type
+    use audit_item, only: item_type
     use audit_words, only: corrected, is_doubtful, reason
     use base_digits, only: shortest
     use base_output, only: output_type
+    use base_text, only: to_text
     use deck_audit, only: audit_entry_type, entry_kind, known
-    use deck_audit_layout, only: known_words, view_words
+    use deck_audit_layout, only: known_words, printing_words, view_words
     use deck_body_word, only: words_in
     implicit none (type, external)
     private
 
     public :: print_audit_csv
+
+    !> What the rows of the file say, by `entry_kind`.
+    character(7), parameter :: kinds(4) = [character(7) :: 'row', 'exact', 'about', 'between']
 
 contains
 
@@ -25,54 +29,96 @@ contains
     subroutine print_audit_csv(found, out)
         type(deck_audit_type), intent(in) :: found  !! what was found
         type(output_type), intent(inout) :: out     !! where it goes
-        integer :: i, k
+        integer :: i
 
         call out%line('table,view,at,what,along,printed,computed,low,high,residual,verdict,'// &
             'corrected,slip,sure')
         do i = 1, size(found%item)
-            associate (item => found%item(i))
-                if (.not. item%is_audited) cycle
-                do k = 1, size(item%entry)
-                    if (item%entry(k) > 0) call out%line(row(item, item%table%entry( &
-                        item%entry(k)), item%audit%finding(k)))
-                end do
-                do k = 1, 2
-                    if (found%step(k, i)%verdict /= verdict%none) call out%line(row(item, &
-                        item%table%entry(entry_of(item%table, known%xi + k - 1)), &
-                        found%step(k, i)))
-                end do
-            end associate
+            call print_head(found%item(i), out)
+            call print_entries(found%item(i), found%step(:, i), out)
         end do
     end subroutine print_audit_csv
+
+    !> Prints what cards say of a whole table.
+    subroutine print_head(item, out)
+        type(item_type), intent(in) :: item         !! the table
+        type(output_type), intent(inout) :: out     !! where it goes
+        character(8), allocatable :: word(:)
+        character(*), parameter :: nothing = ',,,,,,,,,,'
+
+        associate (table => item%table)
+            word = words_in(printing_words)
+            if (any(table%control /= '')) call out%line(front(item)//'lines '// &
+                trim(table%control(1))//' '//trim(table%control(2))//' '// &
+                trim(table%control(3))//nothing)
+            if (table%printing > 0 .or. table%is_fie .or. table%decimals >= 0) call out%line( &
+                front(item)//'printed '//trim(word(table%printing + 1))// &
+                merge(' FIE    ', ' DECIMAL', table%is_fie)//nothing)
+            if (table%conics > 1) call out%line(front(item)//'conics '//to_text(table%conics)// &
+                nothing)
+        end associate
+    end subroutine print_head
+
+    !> Prints the figures of a table, in deck order.
+    subroutine print_entries(item, step, out)
+        type(item_type), intent(in) :: item         !! the table
+        type(finding_type), intent(in) :: step(2)   !! of XI and YI
+        type(output_type), intent(inout) :: out     !! where it goes
+        type(finding_type) :: finding
+        integer :: i, reading
+
+        do i = 1, item%table%count
+            finding = finding_type()
+            if (item%is_audited) then
+                reading = findloc(item%entry, i, dim=1)
+                if (reading > 0) finding = item%audit%finding(reading)
+                if (item%table%entry(i)%what == known%xi) finding = step(1)
+                if (item%table%entry(i)%what == known%yi) finding = step(2)
+            end if
+            call out%line(row(item, item%table%entry(i), finding))
+        end do
+    end subroutine print_entries
+
+    !> What every row of a table begins with.
+    pure function front(item) result(text)
+        type(item_type), intent(in) :: item         !! the table
+        character(:), allocatable :: text
+        character(8), allocatable :: word(:)
+        word = words_in(view_words)
+        text = trim(item%table%name)//','//trim(word(item%table%view))//','// &
+            trim(item%table%at_text)//','
+    end function front
 
     !> The row of a figure.
     pure function row(item, entry, finding) result(text)
         type(item_type), intent(in) :: item             !! its table
         type(audit_entry_type), intent(in) :: entry     !! as the deck has it
         type(finding_type), intent(in) :: finding       !! what was found
-        character(:), allocatable :: text
+        character(:), allocatable :: text, printed
         character(8), allocatable :: word(:)
 
-        word = words_in(view_words)
-        text = trim(item%table%name)//','//trim(word(item%table%view))//','// &
-            trim(item%table%at_text)//','
+        text = front(item)
         if (entry%kind == entry_kind%row) then
-            text = text//'row,'//trim(merge('Y ', '  ', entry%is_along_y))
-            if (entry%is_along_y) text = text//' '
-            text = text//trim(entry%along_text)
+            text = text//merge('y', 'x', entry%is_along_y)//trim(merge(' 2', '  ', &
+                entry%column == 2))//','//trim(entry%along_text)
         else
             word = words_in(known_words)
-            text = text//trim(word(entry%what))//','
+            text = text//trim(kinds(entry%kind))//' '//trim(word(entry%what))//','
+            if (entry%kind == entry_kind%between) text = text//shortest(entry%low)
         end if
-        text = text//','//trim(entry%text)//','
+        printed = trim(entry%text)
+        if (entry%kind == entry_kind%between) printed = shortest(entry%high)
+        text = text//','//printed//','
         if (finding%is_reached) then
-            text = text//shortest(finding%computed)//','//shortest(finding%low)//','// &
-                shortest(finding%high)//','//shortest(finding%residual)
+            text = text//shortest(finding%computed)//','//shortest(min(finding%low, &
+                finding%computed))//','//shortest(max(finding%high, finding%computed))//','// &
+                shortest(finding%residual)
         else
             text = text//',,,'
         end if
-        text = text//','//verdict_name(finding%verdict)//','//corrected(finding)//','// &
-            reason(finding)//','
+        text = text//','
+        if (finding%verdict /= verdict%none) text = text//verdict_name(finding%verdict)
+        text = text//','//corrected(finding)//','//reason(finding)//','
         if (is_doubtful(finding)) text = text//shortest(finding%sure)
     end function row
 

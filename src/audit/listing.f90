@@ -103,11 +103,11 @@ contains
                 piece%parameter(k)))
         end do
         call print_pairs(page, piece, out)
-        if (piece%card%is_whole) then
+        if (card_image(item, piece) /= '') then
             call page%line(out, 'CARD')
             call page%line(out, card_image(item, piece))
         else
-            call page%line(out, 'NO CARD: THE GOOD FIGURES DO NOT BOUND ALL OF ITS NUMBERS')
+            call page%line(out, 'NO CARD: THE GOOD FIGURES DO NOT TELL ALL OF ITS NUMBERS')
         end if
     end subroutine print_piece
 

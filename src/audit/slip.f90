@@ -241,7 +241,7 @@ contains
             'two digits in wrong order', 'the sign', 'the point moved', &
             'the figure of another row', &
             'a slip of an inch', 'a slip of an eighth', 'two digits taken for others', &
-            'one digit wrong, one more or less', 'characters that can''t be read']
+            'a wrong digit and one more or less', 'characters that can''t be read']
         name = trim(names(kind))
     end function slip_name
 

@@ -2,6 +2,7 @@
 !> right, how sure that is, and the card of a conic.
 module audit_words
     use audit_audit, only: piece_type
+    use audit_figure, only: figure_length
     use audit_finding, only: finding_type, verdict
     use audit_item, only: item_type
     use audit_slip, only: slip_name
@@ -11,6 +12,7 @@ module audit_words
     use base_text, only: to_text
     use deck_audit, only: entry_kind
     use deck_audit_layout, only: known_words
+    use deck_body_card, only: field_width
     use deck_body_word, only: words_in
     implicit none (type, external)
     private
@@ -71,39 +73,64 @@ contains
         text = to_text(min(99, nint(100.0_dp*finding%sure)))
     end function percent
 
-    !> The card of 1970 that reproduces a conic and its table, by columns.
+    !> The card of 1970 that reproduces a conic and its table, by columns; blank where a number needs
+    !> more columns than it has. A table along Y alone gets an XI past the last point, which prints
+    !> one row, as in the paper.
     pure function card_image(item, piece) result(image)
         type(item_type), intent(in) :: item     !! the table
         type(piece_type), intent(in) :: piece   !! one conic of it
         character(80) :: image
+        character(figure_length) :: number(8)
         real(dp) :: step
+        integer :: i
         logical :: is_found
 
         image = ''
+        if (.not. piece%card%is_whole) return
         associate (card => piece%card)
-            image(1:8) = shortest(card%x(1))
-            image(9:16) = card%number(1)
-            image(17:24) = card%number(2)
-            image(25:32) = shortest(card%x(2))
-            image(33:40) = card%number(3)
-            image(41:48) = shortest(card%x(3))
-            image(49:56) = card%number(4)
-            image(57:64) = card%number(5)
+            number = card_number([card%number(1), card%number(1:2), card%number(2:3), &
+                card%number(3:4), card%number(5)])
+            number([1, 4, 6]) = [(card_number(shortest_text(card%x(i))), i = 1, 3)]
+            if (any(len_trim(number) > field_width)) return
+            do i = 1, 8
+                image(field_width*(i - 1) + 1:field_width*i) = number(i)
+            end do
+            call find_step(item, .false., step, is_found)
+            if (.not. is_found) step = sign(aint(abs(card%x(3) - card%x(1))) + 1.0_dp, &
+                card%x(3) - card%x(1))
         end associate
-        call find_step(item, .false., step, is_found)
-        if (is_found) image(65:70) = with_point(step)
+        image(65:70) = card_number(shortest_text(rounded(step)))
         call find_step(item, .true., step, is_found)
-        if (is_found) image(71:76) = with_point(step)
-        if (is_found) image(77:78) = ' 1'
+        if (.not. is_found) return
+        image(71:76) = card_number(shortest_text(rounded(step)))
+        image(77:78) = ' 1'
     end function card_image
 
-    !> An increment with its point.
-    pure function with_point(step) result(text)
+    !> A number as it is punched: with a point, without which a card of 1970 would put it elsewhere,
+    !> and without the zero before it where the field has no room for that.
+    elemental character(figure_length) function card_number(text) result(number)
+        character(*), intent(in) :: text !! the number
+        integer :: zero
+
+        number = text
+        if (index(number, '.') == 0) number = trim(number)//'.'
+        zero = index(number, '0.')
+        if (len_trim(number) <= field_width .or. zero == 0) return
+        if (zero == 1) number = number(2:)
+        if (zero == 2 .and. number(1:1) == '-') number = '-'//number(3:)
+    end function card_number
+
+    !> The shortest text of a number, in the length of a figure.
+    pure character(figure_length) function shortest_text(value) result(text)
+        real(dp), intent(in) :: value !! any
+        text = shortest(value)
+    end function shortest_text
+
+    !> An increment without what doubles add to its decimals.
+    pure real(dp) function rounded(step)
         real(dp), intent(in) :: step !! deck units
-        character(:), allocatable :: text
         real(dp), parameter :: places = 1.0e6_dp
-        text = shortest(anint(step*places)/places)
-        if (index(text, '.') == 0) text = text//'.'
-    end function with_point
+        rounded = anint(step*places)/places
+    end function rounded
 
 end module audit_words

@@ -5,6 +5,7 @@
 module deck_kind
     use base_error, only: error_type
     use base_fault, only: fault_list_type
+    use base_text, only: upper
     use deck_control_card, only: begins_with_word, card_word, heading_type, read_heading_card
     use deck_source, only: line_type, source_type
     implicit none (type, external)
@@ -17,10 +18,14 @@ module deck_kind
         integer :: conic = 1    !! a 1970 deck; so are an empty one and one with a null byte
         integer :: body = 2     !! a body deck
         integer :: audit = 3    !! a deck of printed tables
+        integer :: csv = 4      !! printed tables as comma-separated values
     end type deck_kind_list
 
     !> The kinds by name: `deck_kind_of%body`.
     type(deck_kind_list), parameter, public :: deck_kind_of = deck_kind_list()
+
+    !> How a file of printed tables as comma-separated values begins, in capitals.
+    character(*), parameter, public :: table_header = 'TABLE,VIEW,AT,WHAT,ALONG,PRINTED'
 
     !> How a deck begins.
     type :: opening_type
@@ -53,6 +58,7 @@ contains
             else if (begins_with_word(line)) then
                 if (allocated(comment)) deallocate (comment)
                 opening%kind = deck_kind_of%body
+                if (index(upper(line%text), table_header) == 1) opening%kind = deck_kind_of%csv
                 if (card_word(line) == 'AUDIT') opening%kind = deck_kind_of%audit
                 if (card_word(line) /= 'TITLE' .and. card_word(line) /= 'UNITS') exit
                 opening%kind = deck_kind_of%conic
