@@ -22,8 +22,8 @@ module app_audit
 
 contains
 
-    !> Audits a deck. The exit status is `status%done`, or `status%faulty` where a card was in error;
-    !> a figure that is suspect is a result.
+    !> Audits a deck. The exit status is `status%done`, or `status%faulty` where a card was in
+    !> error; a figure that is suspect is a result.
     !>
     !> Fails with `cause%file_trouble` where the deck can't be read or the result not be written,
     !> and with `cause%usage` where it is no deck of printed tables, or the result would take its

@@ -253,7 +253,8 @@ contains
         case ('version')
             if (size(options%operand) > 0) call fail(error, cause%usage, '--version stands alone')
         end select
-        if (size(options%operand) == 0 .and. is_one_of(options%command, 'check plot export audit')) then
+        if (size(options%operand) == 0 .and. &
+            is_one_of(options%command, 'check plot export audit')) then
             call fail(error, cause%usage, &
                 'loft '//options%command//' needs a deck (- is standard input)')
         end if

@@ -9,7 +9,7 @@ module audit_cross
     use audit_finding, only: verdict
     use audit_item, only: entry_of, item_type
     use audit_printing, only: allowed, printed_units, printing
-    use audit_reading, only: sort
+    use audit_reading, only: meaning, sort
     use audit_value, only: row_at, value_at, value_type
     use base_exact, only: is_equal
     use base_kinds, only: dp
@@ -94,7 +94,8 @@ contains
         end do
     end subroutine check_points
 
-    !> The table of the control line that a point of a section is on: PLAN for X, SIDE for Y; 0: none.
+    !> The table of the control line that a point of a section is on, PLAN for X, SIDE for Y; 0 for
+    !> none.
     pure integer function control_of(item, i, point, axis) result(of)
         type(item_type), intent(in) :: item(:)  !! the tables
         integer, intent(in) :: i                !! a section
@@ -125,7 +126,7 @@ contains
         do k = 1, size(item(i)%line%reading)
             n = item(i)%entry(k)
             associate (it => item(i)%line%reading(k))
-                if (n == 0 .or. it%sort > sort%abscissa .or. it%column /= 1) cycle
+                if (n == 0 .or. it%meaning /= meaning%printed .or. it%column /= 1) cycle
                 one%side(2) = side_of(item, j, it%sort, it%along)
                 if (.not. one%side(2)%is_printed) cycle
                 one%side(1) = side_of(item, i, it%sort, it%along)

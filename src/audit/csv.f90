@@ -49,8 +49,8 @@ contains
         associate (table => item%table)
             word = words_in(printing_words)
             if (any(table%control /= '')) call out%line(front(item)//'lines '// &
-                trim(table%control(1))//' '//trim(table%control(2))//' '// &
-                trim(table%control(3))//nothing)
+                name_or_dash(table%control(1))//' '//name_or_dash(table%control(2))//' '// &
+                name_or_dash(table%control(3))//nothing)
             if (table%printing > 0 .or. table%is_fie .or. table%decimals >= 0) call out%line( &
                 front(item)//'printed '//trim(word(table%printing + 1))// &
                 merge(' FIE    ', ' DECIMAL', table%is_fie)//nothing)
@@ -58,6 +58,14 @@ contains
                 nothing)
         end associate
     end subroutine print_head
+
+    !> A name, or a dash where there is none.
+    pure function name_or_dash(name) result(text)
+        character(*), intent(in) :: name !! may be blank
+        character(:), allocatable :: text
+        text = trim(name)
+        if (text == '') text = '-'
+    end function name_or_dash
 
     !> Prints the figures of a table, in deck order.
     subroutine print_entries(item, step, out)

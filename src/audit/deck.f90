@@ -189,8 +189,8 @@ contains
         end do
     end subroutine audit_alike
 
-    !> Adds to the readings of a section what its control lines say of its points. An X that its line
-    !> does not allow is left for the line's.
+    !> Adds to the readings of a section what its control lines say of its points. An X that its
+    !> line does not allow is left for the line's.
     pure subroutine hold_to_lines(item, i)
         type(item_type), intent(inout) :: item(:)   !! the tables, lines audited
         integer, intent(in) :: i                    !! the section

@@ -12,7 +12,8 @@ module audit_item
     implicit none (type, external)
     private
 
-    public :: item_type, new_item, softened, is_contradicted, add_reading, entry_of, number_of, point_of
+    public :: item_type, new_item, softened, is_contradicted, add_reading, entry_of, number_of, &
+        point_of
 
     !> A table and what is found of it.
     type :: item_type
@@ -30,8 +31,8 @@ module audit_item
     integer, parameter :: meanings(4) = [meaning%printed, meaning%exact, meaning%rounded, &
         meaning%between]
 
-    !> How far a punched ordinate may be from a printed one: units of the last place of the table. It
-    !> was rounded, and .0005 was added in 1970.
+    !> How far a punched ordinate may be from a printed one: units of the last place of the table.
+    !> It was rounded, and .0005 was added in 1970.
     real(dp), parameter, public :: room = 1.5_dp
 
 contains
@@ -44,7 +45,8 @@ contains
         item%table = table
         allocate (item%entry(0), item%line%reading(0))
         item%line%name = table%name
-        item%line%scale = scale_type(merge(form%eighths, form%decimal, table%is_fie), table%decimals)
+        item%line%scale = scale_type(merge(form%eighths, form%decimal, table%is_fie), &
+            table%decimals)
         item%line%printing = ways(table%printing)
         item%line%conics = table%conics
         item%line%shift = table%shift

@@ -1,5 +1,5 @@
-!> The increments of a table, XI and YI of a 1970 card, against the ordinates that its rows stand at:
-!> each is one increment further than the one before, and the first one from point 1.
+!> The increments of a table, XI and YI of a 1970 card, against the ordinates that its rows stand
+!> at: each is one increment further than the one before, and the first one from point 1.
 module audit_steps
     use audit_figure, only: figure_type, form, print_figure, read_figure, unit_of, value_of
     use audit_finding, only: finding_type, verdict

@@ -6,7 +6,8 @@
 !>
 !> `what` is `x` or `y`, which a row is along, with a 2 behind it for the second column of the page;
 !> or what a card says: `exact S1`, `about S3`, `between S3` (from `along` to `printed`),
-!> `printed 1970`, `conics 2`, `shift 100.`; or `lines LCL LSH MHB`, the control lines of a section.
+!> `printed 1970`, `conics 2`, `shift 100.`; or `lines LCL LSH MHB`, the control
+!> lines of a section, - for none.
 !> A table ends where another begins. Further columns are passed over, so that what
 !> `loft audit --format csv` wrote can be read.
 module deck_audit_csv
@@ -70,11 +71,14 @@ contains
         character(:), allocatable :: table
 
         row = new_card(line)
-        if (size(row%field) < printed_cell) then
+        if (size(row%field) < what_cell) then
             call blame(row, 1, 'a row has '//to_text(cells)//' cells: table,view,at,what,along,'// &
                 'printed', faults)
             return
         end if
+        do while (size(row%field) < cells)
+            row%field = [row%field, field_type(1, line%filled + 1, line%filled)]
+        end do
         table = field_text(row, table_cell)//','//field_text(row, view_cell)//','// &
             field_text(row, at_cell)
         if (table /= heading) then
@@ -106,6 +110,7 @@ contains
         case ('LINES')
             do i = 1, 3
                 state%table%control(i) = field_text(card, 1 + i)
+                if (field_text(card, 1 + i) == '-') state%table%control(i) = ''
             end do
         case ('EXACT', 'ABOUT')
             card%field = [card%field, row%field(printed_cell)]

@@ -14,7 +14,8 @@ BEGIN {
     untested["app_run_conics"]; untested["app_run_body"]; untested["api_computed_body"]
     untested["app_export"]; untested["app_export_body"]; untested["app_export_conics"]; untested["app_export_parts"]
     untested["app_export_write"]
-    untested["app_progress"]
+    untested["app_progress"]; untested["app_audit"]; untested["app_plot_audit"]
+    untested["app_picture_drawing"]
     untested["app_plot_conics"]; untested["app_plot_body"]; untested["app_picture_folder"]
     # Faces for C, proved by tests/library.t from C.
     untested["api_c_error"]; untested["api_c_deck"]; untested["api_c_words"]

@@ -1,0 +1,39 @@
+!> Words of an audit: what a reading is, what is right, the card.
+program test_words
+    use audit_deck, only: deck_audit_type
+    use audit_finding, only: finding_type, verdict
+    use audit_slip, only: slip
+    use audit_words, only: card_image, corrected, is_doubtful, percent, reading_name, reason
+    use support_audit_deck, only: audit_of, parabola
+    use support_tap, only: tap_type
+    implicit none (type, external)
+
+    type(tap_type) :: tap
+    type(deck_audit_type) :: found
+    type(finding_type) :: finding
+
+    call audit_of(parabola//'ALONG,X,2|5.,.3|', found)
+    call tap%same(reading_name(found%item(1), 1)//'/'//reading_name(found%item(1), 10)//'/'// &
+        reading_name(found%item(1), 13), 'X 5./X 5. (2)/Y3', 'rows, second columns, fields')
+    finding%verdict = verdict%suspect
+    finding%likely = '4.5'
+    finding%slip = slip%sign
+    finding%sure = 0.9999
+    call tap%ok(is_doubtful(finding), 'a suspect is doubtful')
+    call tap%same(corrected(finding)//'/'//reason(finding)//'/'//percent(finding), &
+        '4.5/the sign/99', 'what is right, why, and how sure: never all')
+    finding%verdict = verdict%agrees
+    call tap%same(reason(finding), '', 'what agrees needs no reason')
+    finding%verdict = verdict%blank
+    finding%computed_figure = '4.6'
+    call tap%same(corrected(finding), '4.6', 'a blank is filled in')
+    call audit_of(parabola, found)
+    call tap%same(trim(card_image(found%item(1), found%item(1)%audit%piece(1))), &
+        '0.      0.      0.      25.     6.25    50.     25.     1.      5.', &
+        'the card, every number with its point')
+    call audit_of('AUDIT,A,SIDE|1.,1.000,2.,4.000,3.,2.500,4.,7.000,5.,1.000', found)
+    call tap%ok(card_image(found%item(1), found%item(1)%audit%piece(1)) == '', &
+        'no card where its numbers are not bounded')
+    call tap%finish()
+
+end program test_words
