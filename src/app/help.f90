@@ -30,14 +30,16 @@ contains
             call print_plot(out)
         case ('export')
             call print_export(out)
+        case ('audit')
+            call print_audit(out)
         case ('cards')
             call print_card_reference(out)
         case ('help')
             call out%lines([character(68) :: 'loft help [TOPIC]', '', &
-                'TOPIC is run, check, plot, export or cards; none is the overview.'])
+                'TOPIC is run, check, plot, export, audit or cards; none is the overview.'])
         case default
             call fail(error, cause%usage, 'no help on '''//topic// &
-                '''; topics: run check plot export cards')
+                '''; topics: run check plot export audit cards')
         end select
     end subroutine print_help
 
@@ -56,7 +58,8 @@ contains
             '  loft check DECK...             only reads, prints every diagnostic', &
             '  loft plot [OPTIONS] DECK       pictures, by gnuplot', &
             '  loft export [OPTIONS] DECK     patterns, CAD files, meshes, NC programs', &
-            '  loft help [TOPIC]              run, check, plot, export or cards', &
+            '  loft audit [OPTIONS] DECK      printed tables back to their lines', &
+            '  loft help [TOPIC]              run, check, plot, export, audit or cards', &
             '  loft --version', '', &
             'A DECK of - is standard input; run reads it too where no deck is named.', '', &
             'Exit status: 0 all done; 1 some card was in error, the others ran; 2 the', &
@@ -114,6 +117,31 @@ contains
             'Without gnuplot the data and scripts are written all the same.'])
     end subroutine print_plot
 
+
+    !> Prints the help on `loft audit`.
+    subroutine print_audit(out)
+        type(output_type), intent(inout) :: out !! where it goes
+        call out%lines([character(80) :: &
+            'loft audit [--format listing|csv|deck] [-o FILE] DECK', '', &
+            'Finds out which figures of printed tables are right, what the others should', &
+            'be, and what line they came from. The deck begins with an AUDIT card:', '', &
+            '  AUDIT   LSH     PLAN                          BL of line LSH over STA', &
+            '  EXACT   X1      -30.    Y1      0.0     S1      0.404   as punched', &
+            '  EXACT   X3      50.     Y3      18.2', &
+            '  ABOUT   S3      0.132                         rounded to its decimals', &
+            '  0.      9.000   5.      10.167  10.     11.2?1  15.     12.379', &
+            '  20.     13.312  25.     14.253  30.     15.144', '', &
+            'A ? is a character that can''t be read. The same can be given as CSV with the', &
+            'header table,view,at,what,along,printed.', '', &
+            '  --format listing   each figure with what the line gives, how far it is off', &
+            '                     in units of its last place, the verdict, the corrected', &
+            '                     figure and the slip that explains it (the default)', &
+            '  --format csv       the same, a row a figure; it can be audited again', &
+            '  --format deck      the cards that reproduce the tables, for loft run', &
+            '  -o FILE            write FILE, complete or not at all', '', &
+            'loft plot DECK draws what the figures are off. Suspect figures leave the exit', &
+            'status 0; a faulty card makes it 1.'])
+    end subroutine print_audit
 
     !> Prints the help on `loft export`.
     subroutine print_export(out)

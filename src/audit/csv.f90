@@ -10,6 +10,7 @@ module audit_csv
     use audit_item, only: item_type
     use audit_words, only: corrected, is_doubtful, reason
     use base_digits, only: shortest
+    use base_kinds, only: dp
     use base_output, only: output_type
     use base_text, only: to_text
     use deck_audit, only: audit_entry_type, entry_kind, known
@@ -118,16 +119,30 @@ contains
         if (entry%kind == entry_kind%between) printed = shortest(entry%high)
         text = text//','//printed//','
         if (finding%is_reached) then
-            text = text//shortest(finding%computed)//','//shortest(min(finding%low, &
-                finding%computed))//','//shortest(max(finding%high, finding%computed))//','// &
-                shortest(finding%residual)
+            text = text//value_text(finding%computed)//','//value_text(min(finding%low, &
+                finding%computed))//','//value_text(max(finding%high, finding%computed))//','// &
+                shortest(anint(1.0e3_dp*finding%residual)/1.0e3_dp)
         else
             text = text//',,,'
         end if
         text = text//','
         if (finding%verdict /= verdict%none) text = text//verdict_name(finding%verdict)
         text = text//','//corrected(finding)//','//reason(finding)//','
-        if (is_doubtful(finding)) text = text//shortest(finding%sure)
+        if (is_doubtful(finding)) text = text//value_text(finding%sure)
     end function row
+
+    !> A value to nine significant figures, of which the last ones are still those of the line.
+    pure function value_text(value) result(text)
+        real(dp), intent(in) :: value !! any
+        character(:), allocatable :: text
+        real(dp) :: places
+        integer, parameter :: figures = 9
+
+        text = '0'
+        if (abs(value) < tiny(value)) return
+        places = 10.0_dp**(figures - 1 - floor(log10(abs(value))))
+        text = shortest(anint(value*places)/places)
+        if (places > 1.0e15_dp) text = shortest(value)
+    end function value_text
 
 end module audit_csv

@@ -3,6 +3,7 @@
 module report_card_reference
     use base_output, only: output_type
     use base_text, only: right, to_text
+    use deck_audit_layout, only: audit_fields_of, audit_layout
     use deck_body_card, only: field_width, fields_across
     use deck_body_fields, only: fields_of, form_words
     use deck_body_layout, only: body_field_type, body_layout, body_layout_type, need, option_words
@@ -37,7 +38,24 @@ contains
         end do
         call out%line('')
         call print_options(out)
+        call out%line('')
+        call print_audit_rules(out)
+        do i = 1, size(audit_layout)
+            call out%line('')
+            call print_body_layout(audit_layout(i), audit_fields_of(i), out)
+        end do
     end subroutine print_card_reference
+
+    !> Prints how the cards of printed tables are read.
+    subroutine print_audit_rules(out)
+        type(output_type), intent(inout) :: out !! where it goes
+        call out%lines([character(80) :: 'THE DECK OF PRINTED TABLES', '', &
+            'It begins with the word AUDIT, is read by loft audit, and its cards have the', &
+            'fields of a body deck. In a SIDE view X is STA and Y is WL, in a PLAN view and', &
+            'on a WATERLN X is STA and Y is BL, on a BUTTOCK X is STA and Y is WL, at a', &
+            'STATION X is BL and Y is WL. A figure is kept as it is printed: its decimals', &
+            'count, and ? is a character that can''t be read.'])
+    end subroutine print_audit_rules
 
     !> Prints what holds for decks of both kinds.
     subroutine print_deck_rules(out)
@@ -45,7 +63,8 @@ contains
         call out%lines([character(80) :: &
             'A card has 80 columns. * in column 1 is a comment; blank cards are passed over.', &
             'The first card that is not blank, a comment, TITLE or UNITS decides: a number', &
-            'or nothing in its first field makes a 1970 deck, a word a body deck.', ''])
+            'or nothing in its first field makes a 1970 deck, a word a body deck, the word', &
+            'AUDIT a deck of printed tables.', ''])
     end subroutine print_deck_rules
 
     !> Prints how the conic card of 1970 is read.
@@ -131,7 +150,7 @@ contains
 
         name = field%name
         if (field%need == need%optional) name = '['//trim(field%name)//']'
-        if (field%need == need%repeated) name = trim(field%name)//'...'
+        if (any(field%need == [need%repeated, need%paired])) name = trim(field%name)//'...'
         holds = form_words(field)
         text = '  '//right(to_text(field%field), 5)//'  '//right(columns_text(field%field), 7)// &
             '  '//name//'  '//holds//'  '//field%unit//'  '

@@ -16,6 +16,8 @@ golden_output() {
               return "$status" ;;
     csv)      "$LOFT" run --format csv "$deck" 2> /dev/null ;;
     check)    "$LOFT" check "$deck" 2>&1 ;;
+    audit.lst) "$LOFT" audit "$deck" 2> /dev/null ;;
+    audit.csv) "$LOFT" audit --format csv "$deck" 2> /dev/null ;;
     *)        echo "$1: no such kind of golden file" >&2; return 2 ;;
     esac
 }
