@@ -137,12 +137,12 @@ contains
         character(:), allocatable :: text
         real(dp) :: places
         integer, parameter :: figures = 9
+        real(dp), parameter :: nothing = 1.0e-13_dp
 
         text = '0'
-        if (abs(value) < tiny(value)) return
+        if (abs(value) < nothing) return
         places = 10.0_dp**(figures - 1 - floor(log10(abs(value))))
         text = shortest(anint(value*places)/places)
-        if (places > 1.0e15_dp) text = shortest(value)
     end function value_text
 
 end module audit_csv

@@ -7,14 +7,14 @@
 module audit_deck
     use audit_audit, only: audit_type, make_audit
     use audit_cross, only: control_of, cross_checks, cross_type
-    use audit_figure, only: figure_length, form
+    use audit_figure, only: figure_length, form, print_figure, read_figure
     use audit_finding, only: finding_type
     use audit_item, only: add_reading, entry_of, is_contradicted, item_type, new_item, number_of, &
         point_of, room, softened
-    use audit_printing, only: printing
+    use audit_printing, only: printed_units, printing
     use audit_reading, only: meaning, reading_type, sort
     use audit_steps, only: judge_step
-    use audit_value, only: value_at, value_type
+    use audit_value, only: row_at, value_at, value_type
     use base_error, only: error_type
     use base_kinds, only: dp
     use deck_audit, only: audit_deck_type, audit_view, known
@@ -119,8 +119,9 @@ contains
         !$omp end parallel do
     end subroutine audit_some
 
-    !> Audits a table. Where readings contradict numbers known exactly, the line is found a second
-    !> time without holding those; that one is taken which more readings agree on.
+    !> Audits a table. Where readings contradict numbers known exactly, the line is found again
+    !> without holding those, once with the control line's figures held in their place; that one is
+    !> taken which most readings agree on.
     pure subroutine audit_one(item)
         type(item_type), intent(inout) :: item      !! the table
         type(audit_type) :: other
@@ -130,13 +131,15 @@ contains
         call make_audit(item%line, item%audit, error)
         item%is_audited = .not. allocated(error)
         if (.not. any(is_contradicted(item, [(i, i = 1, size(item%entry))]))) return
-        call make_audit(softened(item), other, error)
-        if (allocated(error)) return
-        if (item%is_audited) then
-            if (agreeing(other) <= agreeing(item%audit)) return
-        end if
-        item%audit = other
-        item%is_audited = .true.
+        do i = 1, 2
+            call make_audit(softened(item, i == 1), other, error)
+            if (allocated(error)) cycle
+            if (item%is_audited) then
+                if (agreeing(other) <= agreeing(item%audit)) cycle
+            end if
+            item%audit = other
+            item%is_audited = .true.
+        end do
     end subroutine audit_one
 
     !> Readings that agree on a line, less the exact numbers that had to be given up for it.
@@ -218,9 +221,27 @@ contains
             reading%along = along
             reading%low = found%low - room*found%unit
             reading%high = found%high + room*found%unit
+            reading%figure = read_figure(figure_of(item(of), item(i)%table%at, found), form%decimal)
             call add_reading(item(i), reading, 0)
         end do
     end subroutine hold_to_lines
+
+    !> The figure of a control line at a station: as printed or corrected in its table, or else as its
+    !> value would be printed.
+    pure character(figure_length) function figure_of(item, at, found) result(text)
+        type(item_type), intent(in) :: item     !! the line
+        real(dp), intent(in) :: at              !! the station, deck units
+        type(value_type), intent(in) :: found   !! its value there
+        integer :: row
+
+        row = row_at(item, sort%ordinate, at)
+        if (row > 0) then
+            text = item%audit%finding(row)%likely
+        else
+            text = print_figure(printed_units(found%value, item%audit%scale, &
+                item%audit%printing), item%audit%scale)
+        end if
+    end function figure_of
 
     !> Puts what is known of a point of a section at another X.
     pure subroutine move_point(item, point, to, along)

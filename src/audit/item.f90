@@ -60,12 +60,21 @@ contains
     end function new_item
 
     !> The line of a table, held to no number known exactly that another reading contradicts.
-    pure type(line_type) function softened(item) result(line)
-        type(item_type), intent(in) :: item !! a table
-        integer :: i
+    !> Where a control line contradicts, its figure may be held in place of it.
+    pure type(line_type) function softened(item, holds_lines) result(line)
+        type(item_type), intent(in) :: item         !! a table
+        logical, intent(in) :: holds_lines          !! figures of control lines are held
+        integer :: i, k
+
         line = item%line
         do i = 1, size(item%entry)
-            if (is_contradicted(item, i)) line%reading(i)%meaning = meaning%rounded
+            if (.not. is_contradicted(item, i)) cycle
+            line%reading(i)%meaning = meaning%rounded
+            if (.not. holds_lines) cycle
+            do k = 1, size(item%entry)
+                if (item%entry(k) == 0 .and. is_equal(line%reading(k)%along, &
+                    line%reading(i)%along)) line%reading(k)%meaning = meaning%exact
+            end do
         end do
     end function softened
 

@@ -42,7 +42,7 @@ program test_item
     item = new_item(deck%table(1))
     call tap%ok(all(is_contradicted(item, [(i, i = 1, 5)]) .eqv. [.false., .false., .false., &
         .false., .true.]), 'two units off is a contradiction, one is rounding')
-    soft = softened(item)
+    soft = softened(item, .false.)
     call tap%ok(all(soft%reading(4:5)%meaning == [meaning%exact, meaning%rounded]), &
         'to which nothing is held')
     call tap%finish()
