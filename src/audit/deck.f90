@@ -226,8 +226,8 @@ contains
         end do
     end subroutine hold_to_lines
 
-    !> The figure of a control line at a station: as printed or corrected in its table, or else as its
-    !> value would be printed.
+    !> The figure of a control line at a station: as printed or corrected in its table, or else as
+    !> its value would be printed.
     pure character(figure_length) function figure_of(item, at, found) result(text)
         type(item_type), intent(in) :: item     !! the line
         real(dp), intent(in) :: at              !! the station, deck units

@@ -74,8 +74,8 @@ contains
     end function percent
 
     !> The card of 1970 that reproduces a conic and its table, by columns; blank where a number
-    !> needs more columns than it has. A table along Y alone gets an XI past the last point, which prints
-    !> one row, as in the paper.
+    !> needs more columns than it has. A table along Y alone gets an XI past the last
+    !> point, which prints one row, as in the paper.
     pure function card_image(item, piece) result(image)
         type(item_type), intent(in) :: item     !! the table
         type(piece_type), intent(in) :: piece   !! one conic of it

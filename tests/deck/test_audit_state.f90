@@ -27,7 +27,8 @@ program test_audit_state
     call tap%same(table_faults('AUDIT   A       STATION|'//row), '1:25-32 error: AT is where a '// &
         'STATION, BUTTOCK or WATERLN is; SIDE and PLAN have none|', 'a section is at a station')
     call tap%same(table_faults('AUDIT   A       SIDE    5.|'//row), &
-        '1:25-32 error: AT is where a STATION, BUTTOCK or WATERLN is; SIDE and PLAN have none|', 'a side view is not')
+        '1:25-32 error: AT is where a STATION, BUTTOCK or WATERLN is; SIDE and PLAN have none|', &
+        'a side view is not')
     call tap%same(table_faults('AUDIT   A       SIDE            B|'//row), &
         '1:33-56 error: only a STATION has lines of its points|', 'nor has it lines')
     call tap%same(table_faults('AUDIT   A       SIDE|CONICS  10|'//row), &
