@@ -18,6 +18,8 @@ module base_tolerances
     real(dp), parameter, public :: type_tolerance = 1.0e-12_dp
     !> Relative error asked of lengths, areas and volumes by quadrature.
     real(dp), parameter, public :: quadrature_tolerance = 1.0e-11_dp
+    !> What the last terms of a series may be beside its largest; those left out are less.
+    real(dp), parameter, public :: series_tolerance = 1.0e-12_dp
     !> Relative error asked of the moments of a segment, so that sums of many stay exact enough.
     real(dp), parameter, public :: segment_tolerance = 1.0e-13_dp
     !> How far arcs of a section may miss each other and still close it: more than any rounding,

@@ -7,12 +7,13 @@ module body_gap
     use base_text, only: compact
     use body_body, only: body_type, smooth_stops
     use body_section, only: section_arc, section_type
+    use body_section_row, only: find_arcs
     use geom_arc, only: arc_type
     use geom_zeros, only: sample_points
     implicit none (type, external)
     private
 
-    public :: gap_type, section_gaps
+    public :: gap_type, section_gaps, has_arc
 
     !> A part of a section's range where it has no arc.
     type :: gap_type
@@ -31,6 +32,7 @@ contains
         type(section_type), intent(in) :: section   !! one of its sections
         type(gap_type), allocatable :: gaps(:)
         real(dp), allocatable :: stops(:), sta(:)
+        logical, allocatable :: is_sure(:)
         logical :: is_sound, was_sound
         integer :: i
 
@@ -39,10 +41,14 @@ contains
         do i = 1, size(stops) - 1
             sta = [sta, sample_points(stops(i), stops(i + 1))]
         end do
-        was_sound = has_arc(body, section, sta(1))
+        allocate (is_sure(size(sta)))
+        call find_arcs(body%lines, section, sta, is_sure)
+        was_sound = is_sure(1)
+        if (.not. was_sound) was_sound = has_arc(body, section, sta(1))
         if (.not. was_sound) gaps = [new_gap(body, section, section%from, sta(1))]
         do i = 2, size(sta)
-            is_sound = has_arc(body, section, sta(i))
+            is_sound = is_sure(i)
+            if (.not. is_sound) is_sound = has_arc(body, section, sta(i))
             if (was_sound .and. .not. is_sound) gaps = [gaps, new_gap(body, section, &
                 edge_between(body, section, sta(i - 1), sta(i)), sta(i))]
             if (is_sound .and. .not. was_sound) &

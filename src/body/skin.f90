@@ -78,7 +78,7 @@ contains
         real(dp) :: along(2), out(2), steepness
 
         along = tangent(arc, place)
-        out = outward*[along(2), -along(1)]/norm2(along)
+        out = outward*[along(2), -along(1)]/sqrt(along(1)**2 + along(2)**2)
         skin%gradient = gradient_at(skin%patch, skin%at(2:))
         steepness = dot_product(skin%gradient(2:), out)
         if (is_zero(steepness)) return

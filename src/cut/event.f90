@@ -9,9 +9,11 @@ module cut_event
     use base_kinds, only: dp
     use base_tolerances, only: ulp
     use body_body, only: body_type
-    use body_line, only: line_type
+    use body_line, only: line_point, line_type
     use body_section, only: section_arc, section_type, trace_at, trace_type
-    use cut_meeting, only: edge_height, height_noise, meeting_of, openness
+    use body_section_row, only: line_points
+    use cut_meeting, only: edge_height, height_noise, meeting_of, meeting_type, openness
+    use cut_meeting_row, only: meetings_at
     use cut_plane, only: plane_type
     use geom_arc, only: arc_type
     use geom_twofold, only: to_real
@@ -46,12 +48,14 @@ module cut_event
         integer :: which = 1                        !! 1: start, 2: finish
     contains
         procedure :: at => edge_at
+        procedure :: values => edges_at
     end type edge_type
 
     !> The openness of the meeting, over STA; -1 where there is no arc.
     type, extends(edge_type) :: tangency_type
     contains
         procedure :: at => openness_at
+        procedure :: values => opennesses_at
     end type tangency_type
 
     !> Openness that is nothing but round-off.
@@ -156,11 +160,8 @@ contains
         class(edge_type), intent(in) :: edge    !! which end
         real(dp), intent(in) :: sta             !! deck units
         real(dp) :: at(2)
-        type(trace_type) :: trace
-
-        trace = trace_at(edge%lines, edge%section, sta)
-        at = trace%start%point
-        if (edge%which == 2) at = trace%finish%point
+        at = line_point(edge%lines(edge%section%line(2*edge%which - 1)), sta)
+        if (edge%section%is_port) at(1) = -at(1)
     end function end_point
 
     !> The height of the end of the section at a station.
@@ -169,6 +170,40 @@ contains
         real(dp), intent(in) :: x           !! station, deck units
         height = to_real(edge_height(f%plane, x, end_point(f, x)))
     end function edge_at
+
+    !> The heights of the end of the section at stations.
+    pure subroutine edges_at(f, x, y)
+        class(edge_type), intent(in) :: f   !! which end, which plane
+        real(dp), intent(in) :: x(:)        !! stations, deck units
+        real(dp), intent(out) :: y(:)       !! one for each
+        real(dp) :: at(2, size(x))
+        integer :: i
+
+        call line_points(f%lines(f%section%line(2*f%which - 1)), x, at)
+        if (f%section%is_port) at(1, :) = -at(1, :)
+        do i = 1, size(x)
+            y(i) = to_real(edge_height(f%plane, x(i), at(:, i)))
+        end do
+    end subroutine edges_at
+
+    !> The opennesses of the meeting at stations.
+    pure subroutine opennesses_at(f, x, y)
+        class(tangency_type), intent(in) :: f   !! section and plane
+        real(dp), intent(in) :: x(:)            !! stations, deck units
+        real(dp), intent(out) :: y(:)           !! one for each
+        type(meeting_type) :: it(size(x))
+        logical :: is_sure(size(x))
+        integer :: i
+
+        call meetings_at(f%lines, f%section, f%plane, x, it, is_sure)
+        do i = 1, size(x)
+            if (is_sure(i)) then
+                y(i) = openness(it(i))
+            else
+                y(i) = f%at(x(i))
+            end if
+        end do
+    end subroutine opennesses_at
 
     !> The openness of the meeting at a station.
     pure real(dp) function openness_at(f, x) result(open)

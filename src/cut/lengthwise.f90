@@ -9,10 +9,11 @@ module cut_lengthwise
     use cut_clip, only: clipped
     use cut_event, only: happening
     use cut_outline, only: cut_point_type, outline_type, piece_type
-    use cut_point, only: point_on_track, turned_back
+    use cut_point, only: turned_back
     use cut_request, only: request_type
     use cut_spread, only: stations_on
     use cut_track, only: track_type, tracks_on
+    use cut_track_row, only: points_on_track
     use cut_walk, only: point_at
     implicit none (type, external)
     private
@@ -258,15 +259,11 @@ contains
         type(cut_point_type), allocatable, intent(out) :: points(:)     !! in order
         type(error_type), allocatable, intent(out) :: error             !! of `stations_on`
         real(dp), allocatable :: stations(:)
-        integer :: i
 
         call stations_on(body, track, request, stations, error)
         if (allocated(error)) return
         allocate (points(size(stations)))
-        do i = 1, size(stations)
-            points(i) = point_on_track(body, request%plane, track, stations(i), &
-                request%is_flange_forward)
-        end do
+        call points_on_track(body, track, stations, request, points)
     end subroutine points_of
 
 end module cut_lengthwise

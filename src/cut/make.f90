@@ -12,7 +12,7 @@ module cut_make
     use cut_note, only: note_disagreement, note_sections
     use cut_outline, only: cut_type, outline_type
     use cut_plane, only: cut_kind, plane_type
-    use cut_request, only: request_type
+    use cut_request, only: cut_fact, request_type
     use cut_station, only: station_outlines
     use cut_twice, only: largest_disagreement
     implicit none (type, external)
@@ -55,8 +55,10 @@ contains
         if (allocated(error)) return
         call note_sections(body, cut%plane, range_asked(request), cut%notes)
         if (request%skin > 0.0_dp) call inside_outlines(mirrored_body(whole), cut)
-        cut%disagreement = largest_disagreement(whole, cut%plane, cut%outlines)
-        call note_disagreement(cut)
+        if (request%facts == cut_fact%all) then
+            cut%disagreement = largest_disagreement(whole, cut%plane, cut%outlines)
+            call note_disagreement(cut)
+        end if
         count = size(body%sections)
         call name_originals(count, cut%outlines)
         call name_originals(count, cut%inside)

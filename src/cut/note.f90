@@ -5,9 +5,9 @@ module cut_note
     use base_text, only: compact
     use base_tolerances, only: agreement_tolerance, agreement_ulps, ulp
     use body_body, only: body_type, smooth_stops
-    use body_gap, only: gap_type, section_gaps
+    use body_gap, only: gap_type, has_arc, section_gaps
     use body_section, only: section_type, trace_at, trace_type
-    use cut_meeting, only: edge_height, height_noise
+    use cut_meeting, only: edge_height, height_noise, is_across
     use cut_outline, only: cut_type, note_type
     use cut_plane, only: plane_type
     use geom_twofold, only: to_real
@@ -33,6 +33,7 @@ contains
         allocate (gaps(0), stops(0))
         do i = 1, size(body%sections)
             associate (section => body%sections(i))
+                if (is_across(plane) .and. has_arc(body, section, plane%through(1))) cycle
                 gaps = section_gaps(body, section)
                 do k = 1, size(gaps)
                     if (gaps(k)%from > asked(2) .or. gaps(k)%to < asked(1)) cycle
@@ -75,8 +76,9 @@ contains
         do i = 1, size(share)
             sta = ends(1) + share(i)*(ends(2) - ends(1))
             trace = trace_at(body%lines, section, sta)
-            lies_in = lies_in .and. is_in(trace%start%point) .and. is_in(trace%shoulder) &
+            lies_in = is_in(trace%start%point) .and. is_in(trace%shoulder) &
                 .and. is_in(trace%finish%point)
+            if (.not. lies_in) return
         end do
     contains
         !> True for a point of the plane, as far as decimals can say.

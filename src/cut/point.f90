@@ -17,7 +17,7 @@ module cut_point
     private
 
     public :: point_on_track, point_on_arc, tangent_of, turned_back
-    public :: left_of, give_bevel
+    public :: left_of, give_bevel, steepest
 
     !> Sine of the least angle between plane and skin at which points are moved along the skin.
     real(dp), parameter :: steepest = 1.0e-3_dp

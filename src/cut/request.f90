@@ -19,6 +19,16 @@ module cut_request
     !> The rules by name: `case (cut_rule%step)`.
     type(rule_list), parameter, public :: cut_rule = rule_list()
 
+    !> What is worked out for each point of a cut, each with what stands before it.
+    type, public :: fact_list
+        integer :: slope = 1    !! place and slope
+        integer :: bevel = 2    !! normal of the skin and bevel
+        integer :: all = 3      !! curvature, and the proof of the point by a second way
+    end type fact_list
+
+    !> The facts by name: `case (cut_fact%bevel)`.
+    type(fact_list), parameter, public :: cut_fact = fact_list()
+
     !> A range along an axis.
     type :: limit_type
         logical :: has_from = .false.   !! it begins somewhere
@@ -40,6 +50,7 @@ module cut_request
         logical :: is_flange_forward = .false.  !! FLANGE FWD
         real(dp) :: skin = 0.0_dp               !! thickness, deck units; 0: not asked
         real(dp) :: arcs = 0.0_dp               !! tolerance of circular arcs; 0: not asked
+        integer :: facts = 3                    !! one of `cut_fact%...`: less is faster
     end type request_type
 
 end module cut_request

@@ -6,20 +6,18 @@ module cut_spread
     use base_kinds, only: dp, i64
     use base_text, only: compact, to_text
     use base_tolerances, only: decimal_noise, spacing_tolerance, ulp
-    use body_body, only: body_type
+    use body_body, only: body_type, smooth_stops
     use cut_plane, only: plane_type
     use cut_request, only: cut_rule, request_type
     use cut_track, only: track_type
-    use cut_walk, only: coordinate_type, point_at, speed_type, station_of
-    use geom_quadrature, only: integrate
+    use cut_walk, only: coordinate_type, parameter_of, point_at, speed_type, station_of
+    use geom_spacing, only: new_scale, parameters_at, scale_type
     use geom_zeros, only: sample_points, zeros_of
     implicit none (type, external)
     private
 
     public :: stations_on, steps_inside
 
-    !> Newton steps and halvings that place one point.
-    integer, parameter :: most_steps = 60
     !> Halvings of a track for chords: what is left is below the rounding of its points.
     integer, parameter :: deepest = 40
 
@@ -125,8 +123,8 @@ contains
         end do
     end subroutine sort
 
-    !> The stations inside that divide a track into equal lengths. A length that rounding keeps from
-    !> its tolerance does as it is.
+    !> The stations inside that divide a track into equal lengths. Fails with `cause%too_many` and
+    !> with the causes of `new_scale`.
     pure subroutine equal_lengths(body, track, request, stations, error)
         type(body_type), intent(in) :: body                     !! finished
         type(track_type), intent(in) :: track                   !! of that body and request
@@ -134,61 +132,36 @@ contains
         real(dp), allocatable, intent(inout) :: stations(:)     !! deck units
         type(error_type), allocatable, intent(out) :: error     !! see `stations_on`
         type(speed_type) :: speed
-        type(error_type), allocatable :: rough
-        real(dp) :: length, t, done
+        type(scale_type) :: scale
+        real(dp), allocatable :: stops(:), length(:), t(:)
         integer :: parts, i
 
         speed%body = body
         speed%plane = request%plane
         speed%track = track
-        call integrate(speed, 0.0_dp, 1.0_dp, spacing_tolerance, length, rough)
+        allocate (stops(0))
+        stops = smooth_stops(body, body%sections(track%section))
+        stops = pack(stops, stops > track%from%sta .and. stops < track%to%sta)
+        stops = [0.0_dp, (parameter_of(track, stops(i)), i=1, size(stops)), 1.0_dp]
+        call new_scale(speed, stops, spacing_tolerance, scale, error)
+        if (allocated(error)) return
         parts = max(1, request%number - 1)
         if (request%rule == cut_rule%length) then
-            if (length/request%step > largest_table) then
+            if (scale%length/request%step > largest_table) then
                 call fail(error, cause%too_many, 'lengths of '//compact(request%step)// &
-                    ' divide an outline of '//compact(length)//' into too many; LOFT makes at '// &
-                    'most '//to_text(largest_table)//' points: take longer ones')
+                    ' divide an outline of '//compact(scale%length)//' into too many; LOFT '// &
+                    'makes at most '//to_text(largest_table)//' points: take longer ones')
                 return
             end if
-            parts = max(1, nint(length/request%step))
+            parts = max(1, nint(scale%length/request%step))
         end if
-        t = 0.0_dp
-        done = 0.0_dp
+        allocate (length(parts - 1), t(parts - 1))
         do i = 1, parts - 1
-            call advance(speed, length*real(i, dp)/real(parts, dp), length, t, done, error)
-            if (allocated(error)) return
-            stations = [stations, station_of(track, t)]
+            length(i) = scale%length*real(i, dp)/real(parts, dp)
         end do
+        call parameters_at(scale, length, t)
+        stations = [(station_of(track, t(i)), i=1, parts - 1)]
     end subroutine equal_lengths
-
-    !> Goes on along a track until a length is reached: Newton's method, kept between bounds.
-    pure subroutine advance(speed, target, total, t, done, error)
-        type(speed_type), intent(in) :: speed                   !! of the track
-        real(dp), intent(in) :: target                          !! length wanted, deck units
-        real(dp), intent(in) :: total                           !! length of the track, deck units
-        real(dp), intent(inout) :: t                            !! parameter reached
-        real(dp), intent(inout) :: done                         !! length reached, deck units
-        type(error_type), allocatable, intent(out) :: error     !! `cause%no_convergence`
-        type(error_type), allocatable :: rough
-        real(dp) :: bounds(2), next, pace, part
-        integer :: i
-
-        bounds = [t, 1.0_dp]
-        do i = 1, most_steps
-            if (abs(target - done) <= spacing_tolerance*total) return
-            if (done < target) bounds(1) = t
-            if (done > target) bounds(2) = t
-            pace = speed%at(t)
-            next = 0.5_dp*sum(bounds)
-            if (abs(target - done) < pace*(bounds(2) - bounds(1))) next = t + (target - done)/pace
-            if (.not. (next > bounds(1) .and. next < bounds(2))) next = 0.5_dp*sum(bounds)
-            call integrate(speed, t, next, spacing_tolerance, part, rough)
-            done = done + part
-            t = next
-        end do
-        call fail(error, cause%no_convergence, 'no point found at length '//compact(target)// &
-            ' of an outline of length '//compact(total))
-    end subroutine advance
 
     !> The stations inside such that no chord is further than a tolerance from the track: from its
     !> start on, what is ahead is halved until its chord is near enough. Fails with

@@ -7,11 +7,12 @@ module cut_station
     use cut_arc_spread, only: places_on
     use cut_chain, only: chain_type, chains_of, part_type
     use cut_clip, only: places_within
-    use cut_outline, only: cut_point_type, outline_type, piece_type
-    use cut_point, only: point_on_arc, turned_back
+    use cut_outline, only: outline_type, piece_type
+    use cut_point, only: turned_back
+    use cut_point_row, only: points_on_arc
     use cut_request, only: request_type
     use geom_arc, only: arc_type, reversed
-    use geom_place, only: place_type
+    use geom_place, only: is_finish, is_start, place_type
     use geom_subarc, only: part_of, place_of_part
     implicit none (type, external)
     private
@@ -25,6 +26,11 @@ module cut_station
         type(place_type) :: first   !! where on it the piece begins
         type(place_type) :: last    !! where it ends
     end type strand_type
+
+    !> The places of the points of a piece.
+    type :: spread_type
+        type(place_type), allocatable :: places(:)  !! on the section's arc
+    end type spread_type
 
 contains
 
@@ -138,45 +144,47 @@ contains
         type(chain_type), intent(in) :: chain                   !! some of them
         type(outline_type), intent(out) :: outline              !! see above
         type(error_type), allocatable, intent(out) :: error     !! of `places_on`
-        type(cut_point_type), allocatable :: points(:)
-        integer :: i
+        type(spread_type) :: spread(size(chain%part))
+        integer :: i, count
 
-        allocate (outline%points(0))
         outline%is_closed = chain%is_closed
         outline%pieces = strands(abs(chain%part))%piece
+        count = 0
         do i = 1, size(chain%part)
-            call points_of(body, request, strands(abs(chain%part(i))), points, error)
+            call spread_on(strands(abs(chain%part(i))), request, spread(i)%places, error)
             if (allocated(error)) return
-            points%piece = i
-            if (chain%part(i) < 0) then
+            outline%pieces(i)%first = count + 1
+            count = count + size(spread(i)%places)
+            outline%pieces(i)%last = count
+        end do
+        allocate (outline%points(count))
+        do i = 1, size(chain%part)
+            associate (piece => outline%pieces(i), strand => strands(abs(chain%part(i))), &
+                    points => outline%points(outline%pieces(i)%first:outline%pieces(i)%last))
+                call points_on_arc(body, piece%section, strand%whole, spread(i)%places, request, &
+                    points)
+                points%piece = i
+                if (chain%part(i) > 0) cycle
                 points = turned_back(points(size(points):1:-1))
-                outline%pieces(i)%arc = reversed(outline%pieces(i)%arc)
-            end if
-            outline%pieces(i)%first = size(outline%points) + 1
-            outline%points = [outline%points, points]
-            outline%pieces(i)%last = size(outline%points)
+                piece%arc = reversed(piece%arc)
+            end associate
         end do
     end subroutine assemble
 
-    !> The points of an arc, in the order of the section.
-    pure subroutine points_of(body, request, strand, points, error)
-        type(body_type), intent(in) :: body                             !! finished
-        type(request_type), intent(in) :: request                       !! plane and rule
-        type(strand_type), intent(in) :: strand                         !! of the station
-        type(cut_point_type), allocatable, intent(out) :: points(:)     !! in order
-        type(error_type), allocatable, intent(out) :: error             !! of `places_on`
-        type(place_type), allocatable :: places(:)
-        type(place_type) :: place
+    !> The places of the points of a piece on its section's arc, in the order of the section.
+    pure subroutine spread_on(strand, request, places, error)
+        type(strand_type), intent(in) :: strand                     !! of the station
+        type(request_type), intent(in) :: request                   !! the rule
+        type(place_type), allocatable, intent(out) :: places(:)     !! in order
+        type(error_type), allocatable, intent(out) :: error         !! of `places_on`
         integer :: i
 
         call places_on(strand%piece%arc, request, places, error)
         if (allocated(error)) return
-        allocate (points(size(places)))
+        if (is_start(strand%first) .and. is_finish(strand%last)) return
         do i = 1, size(places)
-            place = place_of_part(strand%whole, strand%first, strand%last, places(i))
-            points(i) = point_on_arc(body, strand%piece%section, strand%whole, place, &
-                request%plane, request%is_flange_forward)
+            places(i) = place_of_part(strand%whole, strand%first, strand%last, places(i))
         end do
-    end subroutine points_of
+    end subroutine spread_on
 
 end module cut_station

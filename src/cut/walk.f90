@@ -10,13 +10,14 @@ module cut_walk
     use cut_plane, only: plane_type
     use cut_point, only: tangent_of
     use cut_track, only: place_on, track_type
+    use cut_track_row, only: step_type, walk_on_track
     use geom_place, only: place_type
     use geom_quadrature, only: integrand_type
     use geom_zeros, only: function_type
     implicit none (type, external)
     private
 
-    public :: coordinate_type, speed_type, point_at, skin_on, station_of
+    public :: coordinate_type, speed_type, point_at, skin_on, station_of, parameter_of
 
     !> One coordinate along a track, from a level on, over STA.
     type, extends(function_type) :: coordinate_type
@@ -36,6 +37,7 @@ module cut_walk
         type(track_type) :: track               !! of that body and plane
     contains
         procedure :: at => speed_at
+        procedure :: values => speeds_at
     end type speed_type
 
 contains
@@ -47,6 +49,13 @@ contains
         sta = track%from%sta + (track%to%sta - track%from%sta)*sin(0.5_dp*pi*t)**2
         sta = min(max(sta, track%from%sta), track%to%sta)
     end function station_of
+
+    !> The parameter of a station.
+    pure real(dp) function parameter_of(track, sta) result(t)
+        type(track_type), intent(in) :: track   !! any
+        real(dp), intent(in) :: sta             !! from its beginning to its end, deck units
+        t = 2.0_dp/pi*asin(sqrt((sta - track%from%sta)/(track%to%sta - track%from%sta)))
+    end function parameter_of
 
     !> The skin at a station of a track.
     pure type(skin_type) function skin_on(body, plane, track, sta) result(skin)
@@ -94,5 +103,29 @@ contains
         speed = 0.0_dp
         if (abs(way(1)) > 0.0_dp) speed = pace/abs(way(1))
     end function speed_at
+
+    !> The speeds at some t.
+    pure subroutine speeds_at(f, t, value)
+        class(speed_type), intent(in) :: f  !! on which track
+        real(dp), intent(in) :: t(:)        !! 0 to 1
+        real(dp), intent(out) :: value(:)   !! one for each
+        type(step_type) :: steps(size(t))
+        real(dp) :: sta(size(t))
+        integer :: i
+
+        do i = 1, size(t)
+            sta(i) = station_of(f%track, t(i))
+        end do
+        call walk_on_track(f%body, f%plane, f%track, sta, steps)
+        do i = 1, size(t)
+            value(i) = 0.0_dp
+            if (.not. steps(i)%is_done) then
+                value(i) = f%at(t(i))
+            else if (abs(steps(i)%way(1)) > 0.0_dp) then
+                value(i) = 0.5_dp*pi*(f%track%to%sta - f%track%from%sta)*sin(pi*t(i)) &
+                    /abs(steps(i)%way(1))
+            end if
+        end do
+    end subroutine speeds_at
 
 end module cut_walk

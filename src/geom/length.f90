@@ -12,14 +12,14 @@
 !> Source: G. Farin, "Curves and Surfaces for CAGD", 5th ed., 12.4 (subdivision of a conic at its
 !> shoulder and return to standard form).
 module geom_length
-    use base_error, only: cause, error_type, fail
+    use base_error, only: error_type
     use base_kinds, only: dp
-    use base_text, only: compact
-    use base_tolerances, only: quadrature_tolerance
+    use base_tolerances, only: quadrature_tolerance, series_tolerance
     use geom_arc, only: arc_type, reversed
     use geom_place, only: at_finish, at_start, mirrored, place_type
     use geom_quadrature, only: integrand_type, integrate
-    use geom_twofold, only: operator(+), to_real, twofold
+    use geom_spacing, only: new_scale, parameters_at, scale_type
+    use geom_twofold, only: exact_sum, operator(+), to_real, twofold
     implicit none (type, external)
     private
 
@@ -41,9 +41,6 @@ module geom_length
         type(speed_type) :: second !! from the finish
     end type pace_type
 
-    !> Newton steps and halvings that place one point; each halving gains a bit of the parameter.
-    integer, parameter :: most_steps = 100
-
 contains
 
     !> The length of an arc. Fails with `cause%no_convergence`, from quadrature.
@@ -54,64 +51,56 @@ contains
         call length_between(pace_of(arc), -1.0_dp, 1.0_dp, length, error)
     end subroutine arc_length
 
-    !> Places at equal lengths along an arc, both ends included.
-    !> Fails with `cause%no_convergence`.
+    !> Places at equal lengths along an arc, both ends included: on each half by the length from its
+    !> end. Fails with `cause%no_convergence`.
     pure subroutine places_by_length(arc, number, places, error)
         type(arc_type), intent(in) :: arc                          !! any arc
         integer, intent(in) :: number                              !! how many, 2 or more
         type(place_type), allocatable, intent(out) :: places(:)    !! in order, shape (number)
         type(error_type), allocatable, intent(out) :: error        !! see above
         type(pace_type) :: pace
-        real(dp) :: length, u, done
-        integer :: i
+        type(scale_type) :: first, second
+        real(dp) :: apart
+        integer :: before
 
         allocate (places(number))
         pace = pace_of(arc)
-        call length_between(pace, -1.0_dp, 1.0_dp, length, error)
+        call new_scale(pace%first, [0.0_dp, 1.0_dp], series_tolerance, first, error)
         if (allocated(error)) return
-        places(1) = at_start
-        places(number) = at_finish
-        u = -1.0_dp
-        done = 0.0_dp
-        do i = 2, number - 1
-            call advance(pace, length, length*real(i - 1, dp)/real(number - 1, dp), u, done, error)
-            if (allocated(error)) return
-            places(i) = place_of(pace, u)
-        end do
+        call new_scale(pace%second, [0.0_dp, 1.0_dp], series_tolerance, second, error)
+        if (allocated(error)) return
+        apart = (first%length + second%length)/real(number - 1, dp)
+        before = min(number, 1 + floor(first%length/apart))
+        call places_from_end(pace%first, first, apart, places(:before))
+        call places_from_end(pace%second, second, apart, places(number:before + 1:-1))
+        places(before + 1:) = mirrored(places(before + 1:))
     end subroutine places_by_length
 
-    !> Goes on along an arc until a length from the start is reached: Newton's method, kept between
-    !> the nearest places known to be before and after.
-    pure subroutine advance(pace, total, length, u, done, error)
-        type(pace_type), intent(in) :: pace                 !! speeds on the arc
-        real(dp), intent(in) :: total                       !! length of the arc, deck units
-        real(dp), intent(in) :: length                      !! length wanted, deck units
-        real(dp), intent(inout) :: u                        !! parameter reached
-        real(dp), intent(inout) :: done                     !! length reached, deck units
-        type(error_type), allocatable, intent(out) :: error !! `cause%no_convergence`
-        real(dp) :: before, after, next, part
+    !> Places at equal lengths on a half of an arc, from its end on.
+    pure subroutine places_from_end(speed, scale, apart, places)
+        type(speed_type), intent(in) :: speed           !! on the half
+        type(scale_type), intent(in) :: scale           !! its parameter over its length
+        real(dp), intent(in) :: apart                   !! from place to place, deck units
+        type(place_type), intent(inout) :: places(:)    !! see above; the first is the end
+        real(dp), allocatable :: length(:), s(:)
+        real(dp) :: share
         integer :: i
 
-        before = u
-        after = 1.0_dp
-        do i = 1, most_steps
-            if (abs(length - done) <= quadrature_tolerance*total) return
-            if (done < length) before = u
-            if (done > length) after = u
-            next = u + (length - done)/speed_of(pace, u)
-            if (.not. (next > before .and. next < after)) next = 0.5_dp*(before + after)
-            call length_between(pace, u, next, part, error)
-            if (allocated(error)) return
-            done = done + part
-            u = next
+        allocate (length(size(places)), s(size(places)))
+        do i = 1, size(places)
+            length(i) = apart*real(i - 1, dp)
         end do
-        call fail(error, cause%no_convergence, 'no place found at length '//compact(length)// &
-            ' of an arc of length '//compact(total))
-    end subroutine advance
+        call parameters_at(scale, length, s)
+        if (size(places) > 0) places(1) = at_start
+        do i = 2, size(places)
+            share = speed%scale*s(i)
+            places(i) = place_type(exact_sum(1.0_dp - s(i), share), twofold(share))
+        end do
+    end subroutine places_from_end
 
     !> The length from one parameter to another, negative where it goes back.
     pure subroutine length_between(pace, from, to, length, error)
-        type(pace_type), intent(in) :: pace                 !! speeds on the arc
+        type(pace_type), intent(in) :: pace               !! speeds on the arc
         real(dp), intent(in) :: from                        !! parameter u, -1 to 1
         real(dp), intent(in) :: to                          !! parameter u, -1 to 1
         real(dp), intent(out) :: length                     !! deck units
@@ -153,24 +142,5 @@ contains
         speed = 2.0_dp*f%scale/denominator**2 &
             *norm2(r**2*f%leaving + 2.0_dp*r*t*f%turning + t**2*f%half)
     end function speed_at
-
-    !> |dp/du| at u, deck units.
-    pure real(dp) function speed_of(pace, u) result(speed)
-        type(pace_type), intent(in) :: pace !! speeds on the arc
-        real(dp), intent(in) :: u           !! parameter, -1 to 1
-        if (u < 0.0_dp) speed = pace%first%at(1.0_dp + u)
-        if (u >= 0.0_dp) speed = pace%second%at(1.0_dp - u)
-    end function speed_of
-
-    !> The place of a parameter.
-    pure type(place_type) function place_of(pace, u) result(place)
-        type(pace_type), intent(in) :: pace !! speeds on the arc
-        real(dp), intent(in) :: u           !! parameter, -1 to 1
-        real(dp) :: share
-
-        share = pace%first%scale*(1.0_dp - abs(u))
-        place = place_type(twofold(abs(u)) + share, twofold(share))
-        if (u > 0.0_dp) place = mirrored(place)
-    end function place_of
 
 end module geom_length

@@ -14,10 +14,12 @@ module geom_quadrature
 
     public :: integrand_type, integrate
 
-    !> A function to integrate: extend it with what the function needs to know.
+    !> A function to integrate: extend it with what the function needs to know, and with `values`
+    !> where many values at once cost less.
     type, abstract :: integrand_type
     contains
         procedure(value_at), deferred :: at
+        procedure :: values => one_by_one
     end type integrand_type
 
     abstract interface
@@ -117,13 +119,18 @@ contains
         real(dp), intent(in) :: centre         !! middle of the panel
         real(dp), intent(in) :: half           !! half its length
         real(dp) :: value(15)
-        integer :: i
-
-        value(8) = f%at(centre)
-        do i = 1, 7
-            value(i) = f%at(centre - half*node(i))
-            value(16 - i) = f%at(centre + half*node(i))
-        end do
+        call f%values([centre - half*node, centre, centre + half*node(7:1:-1)], value)
     end function values
+
+    !> The values of a function.
+    pure subroutine one_by_one(f, t, value)
+        class(integrand_type), intent(in) :: f  !! the function
+        real(dp), intent(in) :: t(:)            !! where
+        real(dp), intent(out) :: value(:)       !! one for each
+        integer :: i
+        do i = 1, size(t)
+            value(i) = f%at(t(i))
+        end do
+    end subroutine one_by_one
 
 end module geom_quadrature

@@ -12,10 +12,12 @@ module geom_zeros
 
     public :: function_type, zeros_of, zero_between, sample_points
 
-    !> A function: extend it with what it needs to know.
+    !> A function: extend it with what it needs to know, and with `values` where many values at once
+    !> cost less.
     type, abstract :: function_type
     contains
         procedure(value_at), deferred :: at
+        procedure :: values => one_by_one
     end type function_type
 
     abstract interface
@@ -33,6 +35,9 @@ module geom_zeros
     integer, parameter :: samples = 63
     !> Steps that narrow an extreme: each takes .618 of the interval.
     integer, parameter :: narrowings = 60
+    !> How many times the changes of two steps in turn a value must be to be beyond the reach of all
+    !> further ones, each of which changes a smooth function by .4 of the one before.
+    real(dp), parameter :: hopeless = 1.0e3_dp
     !> Halvings that take any interval of doubles to its last bit.
     integer, parameter :: halvings = 1100
 
@@ -52,9 +57,7 @@ contains
 
         allocate (zeros(0))
         x = [from, sample_points(from, to), to]
-        do i = 1, size(x)
-            y(i) = f%at(x(i))
-        end do
+        call f%values(x, y)
         if (all(abs(y) <= noise)) return
         clear = findloc(abs(y) > noise, .true., dim=1)
         call settle(y, noise)
@@ -72,6 +75,17 @@ contains
             end if
         end do
     end function zeros_of
+
+    !> The values of a function.
+    pure subroutine one_by_one(f, x, y)
+        class(function_type), intent(in) :: f   !! the function
+        real(dp), intent(in) :: x(:)            !! where
+        real(dp), intent(out) :: y(:)           !! one for each
+        integer :: i
+        do i = 1, size(x)
+            y(i) = f%at(x(i))
+        end do
+    end subroutine one_by_one
 
     !> Gives values that are nothing but round-off the sign of the value before.
     pure subroutine settle(y, noise)
@@ -111,22 +125,25 @@ contains
     end function is_nearing
 
     !> Where `side*f` is least in an interval, by the golden section; it stops where this is below
-    !> zero.
+    !> zero, or so far above that what is left of the interval can't take it there.
     pure real(dp) function least_magnitude(f, from, to, side) result(best)
         class(function_type), intent(in) :: f !! the function
         real(dp), intent(in) :: from          !! lower end
         real(dp), intent(in) :: to            !! upper end
         real(dp), intent(in) :: side          !! 1 or -1: sign of the function at the ends
         real(dp), parameter :: golden = 0.5_dp*(sqrt(5.0_dp) - 1.0_dp)
-        real(dp) :: low, high, inner(2), value(2)
+        real(dp) :: low, high, inner(2), value(2), change
         integer :: i
 
         low = from
         high = to
         inner = [high - golden*(high - low), low + golden*(high - low)]
         value = side*[f%at(inner(1)), f%at(inner(2))]
+        change = maxval(value)
         do i = 1, narrowings
             if (any(value < 0.0_dp)) exit
+            if (minval(value) > hopeless*max(change, abs(value(1) - value(2)))) exit
+            change = abs(value(1) - value(2))
             if (value(1) <= value(2)) then
                 high = inner(2)
                 inner = [high - golden*(high - low), inner(1)]

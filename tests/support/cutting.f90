@@ -68,7 +68,7 @@ contains
         type(cut_type) :: cut
         type(error_type), allocatable :: error
         call make_cut(body, request, cut, error)
-        if (allocated(error)) error stop 'a cut of a test failed'
+        if (allocated(error)) error stop 'a cut of a test failed: '//error%message
     end function cut_of
 
     !> How far a cut is from the ellipsoid about a centre with semi-axes; the flange is aft.
