@@ -25,7 +25,7 @@ contains
 
         call row_gradients(patch, at, gradient)
         do i = 1, width
-            length = sqrt(along(i, 1)**2 + along(i, 2)**2)
+            length = max(sqrt(along(i, 1)**2 + along(i, 2)**2), tiny(1.0_dp))
             out(1) = outward*along(i, 2)/length
             out(2) = -outward*along(i, 1)/length
             steepness = gradient(i, 2)*out(1) + gradient(i, 3)*out(2)

@@ -11,7 +11,7 @@ module cut_meeting_row
     use geom_arc_row, only: arc_row_type, place_row_type
     use geom_twofold, only: twofold, twofold_type
     use geom_twofold_row, only: chosen, exact_row, negative, number_of, operator(*), &
-        operator(+), operator(-), row_type, scaled, sqrt, square, width
+        operator(+), operator(-), row_of, row_type, scaled, sqrt, square, width
     implicit none (type, external)
     private
 
@@ -28,6 +28,8 @@ module cut_meeting_row
     type(twofold_type), parameter :: minus_one = twofold_type(-1.0_dp, 0.0_dp)
     !> A half, for each number of a row.
     real(dp), parameter :: half_each(width) = 0.5_dp
+    !> One, for each.
+    real(dp), parameter :: one_each(width) = 1.0_dp
 
 contains
 
@@ -49,6 +51,8 @@ contains
         place%alpha = chosen(it%middle + root, it%finish, is_first)
         place%beta = chosen(negative(it%start), root - it%middle, is_first)
         is_sure = place%alpha%high > 0.0_dp .and. place%beta%high > 0.0_dp
+        place%alpha = chosen(place%alpha, row_of(one_each), is_sure)
+        place%beta = chosen(place%beta, row_of(one_each), is_sure)
     end subroutine row_places
 
     !> The quadratic forms of the heights of arcs.

@@ -63,6 +63,7 @@ contains
         w = (off%chord/off%chord_start)*(cross(u, v)/off%chord_finish)/root
         arc%fullness = w + one
         is_sure = is_sure .and. arc%fullness%high > 0.0_dp
+        arc%fullness = chosen(arc%fullness, row_of(one_each), is_sure)
         rise = negative(off%chord/root)
         do axis = 1, 2
             arc%half(axis) = scaled(half_each, chord(axis))

@@ -25,8 +25,8 @@ Measured by \`make bench\`, which writes this page and its pictures. Nothing her
 | compiler | $("${FC:-gfortran}" --version | head -n 1) |
 | flags | \`$FFLAGS\` |
 
-Times are of the wall clock. A ratio is of two times taken in the same run, one after the other in turn, and the
-best of five of each side counts, where it is not said otherwise: other work on the machine can only
+Times are of the wall clock where it is not said otherwise. A ratio is of two times taken in the same run, one after the other in turn, and the
+best of five of each side, or the median ratio, counts: other work on the machine can only
 lengthen a time. What is measured on one core says so.
 END
 
