@@ -28,6 +28,8 @@ module cut_meeting_row
     type(twofold_type), parameter :: minus_one = twofold_type(-1.0_dp, 0.0_dp)
     !> A half, for each number of a row.
     real(dp), parameter :: half_each(width) = 0.5_dp
+    !> Heights whose squares are numbers, and products of these with others.
+    real(dp), parameter :: largest = 1.0e140_dp
     !> One, for each.
     real(dp), parameter :: one_each(width) = 1.0_dp
 
@@ -43,14 +45,18 @@ contains
         logical, intent(out) :: is_sure(width)          !! see above
         type(form_row_type) :: it
         type(row_type) :: root
-        logical :: is_first(width)
+        logical :: is_first(width), is_small(width)
 
         call row_forms(arc, sta, plane, real(branch, dp), it)
+        is_small = max(abs(it%start%high), abs(it%middle%high), abs(it%finish%high)) < largest
+        it%start = chosen(it%start, row_of(one_each), is_small)
+        it%middle = chosen(it%middle, row_of(one_each), is_small)
+        it%finish = chosen(it%finish, row_of(one_each), is_small)
         root = sqrt(square(it%middle) - it%start*it%finish)
         is_first = it%middle%high > 0.0_dp
         place%alpha = chosen(it%middle + root, it%finish, is_first)
         place%beta = chosen(negative(it%start), root - it%middle, is_first)
-        is_sure = place%alpha%high > 0.0_dp .and. place%beta%high > 0.0_dp
+        is_sure = is_small .and. place%alpha%high > 0.0_dp .and. place%beta%high > 0.0_dp
         place%alpha = chosen(place%alpha, row_of(one_each), is_sure)
         place%beta = chosen(place%beta, row_of(one_each), is_sure)
     end subroutine row_places
