@@ -194,8 +194,8 @@ contains
     pure subroutine tangents(skin, plane, sense, way, left, slope)
         type(skin_row_type), intent(in) :: skin     !! the skin; where it is sure, across the plane
         type(plane_type), intent(in) :: plane       !! not across STA
-        real(dp), intent(in) :: sense               !! 1: along normal of the skin x that of the
-                                                    !! plane, -1: against it
+        real(dp), intent(in) :: sense               !! along normal of the skin x that of the
+                                                    !! plane (1), or against it (-1)
         real(dp), intent(out) :: way(width, 3)      !! STA, BL, WL
         real(dp), intent(out) :: left(width, 3)     !! STA, BL, WL
         real(dp), intent(out) :: slope(width, 2)    !! along u and v
