@@ -1,6 +1,7 @@
 !> The second way to every point of a cut, which shares nothing with the first but the control
-!> lines: the section as an implicit conic, its zero bracketed and closed in upon across the
-!> outline, in the plane of the cut.
+!> lines: the section as an implicit conic, in a bracket across the outline, in the plane of the
+!> cut. How far its zero is from the point is told by the chord of the bracket, and where that is
+!> not next to nothing by closing in upon the zero.
 module cut_twice
     use base_exact, only: is_zero
     use base_kinds, only: dp

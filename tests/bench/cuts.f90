@@ -6,9 +6,10 @@ program cuts
     use, intrinsic :: iso_fortran_env, only: output_unit
     use base_error, only: error_type
     use base_kinds, only: dp
+    use base_text, only: to_text
     use body_body, only: body_type
     use cut_make, only: make_cut
-    use cut_outline, only: cut_type
+    use cut_outline, only: cut_point_type, cut_type
     use cut_plane, only: buttock_plane, oblique_plane, plane_type, station_plane, waterline_plane
     use cut_request, only: cut_fact, cut_rule, request_type
     use support_bodies, only: ellipsoid, nose_of_the_book
@@ -33,16 +34,24 @@ program cuts
     call say('')
     call say('The nose of SAE 700202 (`cards/nose.crd`), cut by `make_cut` as a user of the')
     call say('library calls it. One core does all; its time is that of the processor, not of the')
-    call say('wall, and the best of five turns. A point costs some 600 (station) to 4,000 (other')
-    call say('planes) operations of floating point, most of them in numbers of twice the working')
-    call say('precision, done in rows two at a time: these are the limit. What is written, 184')
-    call say('bytes a point with all that is known of it, is a tenth of what memory takes.')
+    call say('wall, and the best of five turns. By a rough count of the formulas, not measured, a')
+    call say('point costs 600 operations of floating point in a station and 4,000 in other planes,')
+    call say('most of them in numbers of twice the working precision, done in rows two at a time:')
+    call say('these are the limit. A point is written with all that is known of it in '// &
+        bytes_of_point()//' bytes.')
     call say('')
     call print_rates()
     call print_sections()
     call print_growth()
 
 contains
+
+    !> The bytes that a point of a cut takes.
+    function bytes_of_point() result(text)
+        character(:), allocatable :: text
+        type(cut_point_type) :: point
+        text = to_text(storage_size(point)/8)
+    end function bytes_of_point
 
     !> Points a second, of many points on one cut and of many cuts with fewer.
     subroutine print_rates()

@@ -14,7 +14,7 @@ memory=$(sed -n 's/^MemTotal: *\([0-9]*\) kB/\1/p' /proc/meminfo 2> /dev/null)
 cat << END
 # Performance
 
-Measured by \`make bench\`, which writes this page and its pictures. Nothing here was typed in.
+Measured by \`make bench\`, which writes this page and its pictures. The figures of its tables are those of one run.
 
 | | |
 |---|---|
