@@ -107,16 +107,14 @@ contains
         held_by_lines = item%table%view == audit_view%station .and. any(item%table%control /= '')
     end function held_by_lines
 
-    !> Audits some of the tables, on all processors.
+    !> Audits some of the tables.
     subroutine audit_some(item, chosen)
         type(item_type), intent(inout) :: item(:)   !! the tables
         logical, intent(in) :: chosen(:)            !! which
         integer :: i
-        !$omp parallel do schedule(dynamic)
         do i = 1, size(item)
             if (chosen(i)) call audit_one(item(i))
         end do
-        !$omp end parallel do
     end subroutine audit_some
 
     !> Audits a table. Where readings contradict numbers known exactly, the line is found again

@@ -42,14 +42,16 @@ contains
         type(scale_type), intent(in) :: scale !! of its table
         logical, intent(in) :: chosen(:)      !! readings that count
         type(fit_type), intent(out) :: fit    !! see above
-        type(fit_type) :: tried
+        type(fit_type) :: tried, straight
         integer :: met_by(4), way
 
         met_by = -1
         do way = printing%rounded, printing%of_1970
             if (line%printing /= printing%unknown .and. line%printing /= way .and. &
                 .not. (line%printing == printing%half_even .and. way == printing%rounded)) cycle
-            call fit_printed(line, scale, way, chosen, tried)
+            call fit_printed(line, scale, way, chosen, .false., tried)
+            call fit_printed(line, scale, way, chosen, .true., straight)
+            if (is_straight_enough(straight, tried)) tried = straight
             met_by(way) = tried%met
             if (.not. allocated(fit%member)) then
                 fit = tried
@@ -61,17 +63,28 @@ contains
         fit%met_by = met_by
     end subroutine fit_readings
 
-    !> The best conic for one way of printing.
-    pure subroutine fit_printed(line, scale, way, chosen, fit)
+    !> True where a straight line is as well founded as a conic, which has three numbers more and so
+    !> meets three more figures whatever they are. A line needs a figure to prove it.
+    pure logical function is_straight_enough(straight, conic) result(is)
+        type(fit_type), intent(in) :: straight  !! the line
+        type(fit_type), intent(in) :: conic     !! the conic
+        integer, parameter :: numbers = 2, more_of_conic = 3
+        is = straight%met > numbers .and. straight%met + more_of_conic > conic%met
+    end function is_straight_enough
+
+    !> The best conic, or straight line, for one way of printing.
+    pure subroutine fit_printed(line, scale, way, chosen, is_straight, fit)
         type(line_type), intent(in) :: line   !! the line
         type(scale_type), intent(in) :: scale !! of its table
         integer, intent(in) :: way            !! one of `printing%...`
         logical, intent(in) :: chosen(:)      !! readings that count
+        logical, intent(in) :: is_straight    !! a straight line is sought
         type(fit_type), intent(out) :: fit    !! see above
         type(fit_type) :: tried, best
         integer :: i
 
         fit%problem = new_problem(line, scale, way, chosen)
+        fit%problem%is_straight = is_straight
         fit%printing = way
         allocate (fit%member(size(fit%problem%condition)), fit%given_up(size(fit%member)))
         fit%given_up = .false.

@@ -157,6 +157,9 @@ contains
             found%verdict = verdict%agrees
             if (reading%figure%is_sound .and. found%is_reached) found%residual = &
                 (value_of(reading%figure%units, reading%figure%scale) - found%computed)/u
+            if (reading%sort == sort%slope .and. min(abs(found%computed), abs(value_of( &
+                reading%figure%units, reading%figure%scale))) >= vertical_slope) &
+                found%residual = 0.0_dp
             found%likely = reading%figure%text
             found%slip = slip%none
             found%sure = 1.0_dp

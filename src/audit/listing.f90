@@ -11,6 +11,7 @@ module audit_listing
     use audit_printing, only: printing, printing_name
     use audit_reading, only: sort
     use audit_words, only: card_image, corrected, is_doubtful, percent, reading_name, reason
+    use base_constants, only: vertical_slope
     use base_digits, only: fixed, shortest
     use base_kinds, only: dp
     use base_output, only: output_type
@@ -96,8 +97,9 @@ contains
 
         call page%blank(out)
         call page%keep(out, 9)
-        call page%line(out, 'CONIC FROM X '//shortest(piece%first)//' TO '// &
-            shortest(piece%last)//'       LINE       LEAST        MOST  ROUND')
+        call page%line(out, merge('STRAIGHT FROM X ', 'CONIC FROM X    ', &
+            piece%fit%problem%is_straight)//shortest(piece%first)//' TO '// &
+            shortest(piece%last)//':    LINE, LEAST, MOST, ROUND NUMBERS')
         do k = 1, size(piece%parameter)
             if (piece%parameter(k)%exists) call page%paragraph(out, parameter_row( &
                 piece%parameter(k)))
@@ -230,7 +232,10 @@ contains
 
         word = upper(verdict_name(finding%verdict))
         text = right(name, name_width)//right(trim(printed), figure_width)
-        if (finding%is_reached) then
+        if (finding%is_reached .and. abs(finding%computed) >= vertical_slope) then
+            text = text//right('VERTICAL', figure_width)//right('', 9)//'  '//word// &
+                right(corrected(finding), figure_width)
+        else if (finding%is_reached) then
             text = text//fixed(finding%computed, figure_width, decimals)// &
                 fixed(finding%residual, 9, 1)//'  '//word//right(corrected(finding), figure_width)
             if (is_doubtful(finding)) text = text//right(percent(finding), 4)//'%'

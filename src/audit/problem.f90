@@ -22,6 +22,7 @@ module audit_problem
         logical, allocatable :: is_held(:)                  !! met exactly by what is free
         real(dp) :: free_to(6, 6) = 0.0_dp                  !! orthonormal
         integer :: freedom = 5                              !! degrees of freedom left
+        logical :: is_straight = .false.                    !! only straight lines are sought
     end type problem_type
 
     !> Conditions that fix a conic.
@@ -127,7 +128,8 @@ contains
         end do
     end subroutine find_points
 
-    !> Holds conditions exactly: the conics left are those that meet them. A slope can be held only
+    !> Holds conditions exactly: the conics left are those that meet them. A straight line is a
+    !> conic without its terms of second degree. A slope can be held only
     !> with its point, and five conditions are all that a conic can meet; what can't be held is not.
     !> `problem%is_held` says which are.
     pure subroutine hold(problem, held)
@@ -139,6 +141,11 @@ contains
         problem%is_held = .false.
         problem%condition%has_point = .false.
         n = 0
+        if (problem%is_straight) then
+            n = 3
+            rows(:, :n) = reshape([((merge(1.0_dp, 0.0_dp, i == pass), i = 1, 6), pass = 1, n)], &
+                [6, 3])
+        end if
         do pass = 1, 2
             do i = 1, size(held)
                 if (.not. held(i) .or. n == most_held) cycle

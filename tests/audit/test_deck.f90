@@ -31,6 +31,13 @@ program test_deck
         all(found%item(1)%audit%finding(:7)%verdict == verdict%agrees), &
         'a number known exactly is given up where rows say otherwise')
     call tap%same(trim(found%item(1)%audit%finding(10)%likely), '4.0', 'and put right')
+    call audit_of('AUDIT,A,SIDE|0.,.000,10.,.333,20.,.667,30.,1.000,40.,1.333|'// &
+        '50.,1.867,60.,2.000', found)
+    call tap%ok(found%item(1)%audit%piece(1)%fit%problem%is_straight .and. &
+        all(pack(found%item(1)%audit%finding%verdict, [1, 2, 3, 4, 5, 6, 7] /= 6) == &
+        verdict%agrees), 'a straight line is found to be one, though a conic has more numbers')
+    call tap%same(trim(found%item(1)%audit%finding(6)%likely), '1.667', &
+        'so that its bad figure is the only one')
     call audit_of('AUDIT,A,SIDE|1.,1.0|', found)
     call tap%ok(.not. found%item(1)%is_audited, 'a table of one row has no line')
     call tap%finish()
