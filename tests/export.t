@@ -224,8 +224,8 @@ export_deck lines.crd -o l.stl
 ok $? 'a deck without sections has no mesh; the message says what card to add' "$(seen)"
 
 "$loft" export "$nose" -o first.nc -o second.nc > out 2> err; status=$?
-[ "$status" = 0 ] && [ -s second.nc ] && [ ! -e first.nc ]
-ok $? 'of two -o the last counts' "$(seen)"
+[ "$status" = 2 ] && [ ! -e second.nc ] && [ ! -e first.nc ]
+ok $? 'a second -o is refused' "$(seen)"
 odd="a deck's \"odd\" name.nc"
 export_deck "$nose" -o "$odd"
 [ "$status" = 0 ] && cmp -s "$odd" nose.nc && [ -s "$odd.receipt" ]
