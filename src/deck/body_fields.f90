@@ -4,6 +4,7 @@ module deck_body_fields
     use deck_body_data_fields, only: data_fields
     use deck_body_layout, only: body_field_type, form
     use deck_body_line_fields, only: line_fields, setting_fields
+    use deck_body_sweep_fields, only: sweep_fields
     implicit none (type, external)
     private
 
@@ -11,7 +12,7 @@ module deck_body_fields
 
     !> Every field of every card.
     type(body_field_type), parameter :: all_fields(*) = &
-        [setting_fields, line_fields, data_fields, cut_fields, check_fields]
+        [setting_fields, line_fields, data_fields, cut_fields, check_fields, sweep_fields]
 
 contains
 

@@ -38,7 +38,7 @@ module deck_body_layout
         character :: need           !! one of `need%...`
         character(9) :: unit        !! deck units, a slope, degrees, or none
         character(64) :: meaning    !! one line for the card reference
-        character(48) :: words = '' !! `form%word`: the words it may hold
+        character(64) :: words = '' !! `form%word`: the words it may hold
     end type body_field_type
 
     !> A card: its word, the word in its second field where that tells it from its likes, the option
@@ -81,11 +81,17 @@ module deck_body_layout
         integer :: points = 26, limit = 27, flange = 28, skin = 29, arcs = 30
         integer :: station = 31, stations = 32, buttock = 33, waterline = 34, oblique = 35, &
             plane = 36
-        integer :: check_point = 37, check_sphere = 38, check_box = 39, end = 40
+        integer :: check_point = 37, check_sphere = 38, check_box = 39
+        integer :: sweep = 40, vary = 41, vary_list = 42, vary_tied = 43
+        integer :: object = 44, limit_measure = 45, end = 46
     end type body_card_list
 
     !> Which card is which.
     type(body_card_list), parameter, public :: body_card = body_card_list()
+
+    !> The measures that OBJECT and LIMIT know, in the order of `measure_list` of `deck_sweep`.
+    character(*), parameter, public :: measure_words = &
+        'VOLUME WETTED CENTROID AREA GIRTH WIDTH HEIGHT CLEAR JUMP BREAK'
 
     !> The options of the cards that have a slope at both ends, at one, at none, and of PATCH.
     character(*), parameter :: two_slopes = 'DXDY DXDY1 DXDY3 KNUCKLE MATCH', &
@@ -93,7 +99,7 @@ module deck_body_layout
         four_sides = 'TANGENT1 TANGENT2 TANGENT3 TANGENT4'
 
     !> The cards of a body deck besides TITLE and UNITS.
-    type(body_layout_type), parameter, public :: body_layout(40) = [ &
+    type(body_layout_type), parameter, public :: body_layout(46) = [ &
         body_layout_type('OUTPUT', '', '', &
         'unit of the listing; CSV and files keep the unit of the deck'), &
         body_layout_type('DIGITS', '', '', 'decimals of the ordinates in the listing'), &
@@ -152,6 +158,15 @@ module deck_body_layout
         'a point that must keep clear of the inside of the skin'), &
         body_layout_type('CHECK', 'SPHERE', '', 'a sphere that must keep clear of it'), &
         body_layout_type('CHECK', 'BOX', '', 'a box along the axes that must keep clear of it'), &
+        body_layout_type('SWEEP', '', '', 'how loft sweep makes variants; without it GRID'), &
+        body_layout_type('VARY', '', '', &
+        'a field of the card right before it takes values of a range, in loft sweep'), &
+        body_layout_type('VARY', 'LIST', '', 'a field of the card before takes values of a list'), &
+        body_layout_type('VARY', 'TIED', '', &
+        'a field of the card before goes with a variable of another VARY card'), &
+        body_layout_type('OBJECT', '', '', 'a measure of the body that loft sweep looks at'), &
+        body_layout_type('LIMIT', 'MEASURE', '', &
+        'what a measure of a variant must keep within; the word MEASURE stands for one of these'), &
         body_layout_type('END', '', '', 'ends the deck; without it the deck ends with the file')]
 
 end module deck_body_layout

@@ -7,6 +7,7 @@ module deck_job
     use base_kinds, only: dp
     use deck_body_card, only: card_type
     use deck_duct, only: duct_type
+    use deck_sweep, only: sweep_type
     implicit none (type, external)
     private
 
@@ -272,6 +273,7 @@ module deck_job
         logical :: is_closed = .false.          !! sections that reach BL 0 are closed along it
         type(decimal_type) :: joint_gap         !! largest gap at a joint, deck units
         type(body_type), allocatable :: body(:) !! at least one
+        type(sweep_type) :: sweep               !! what varies, and what is looked at
     end type job_type
 
 contains

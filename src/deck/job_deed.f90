@@ -18,6 +18,9 @@ module deck_job_deed
     use deck_job_patch, only: take_patch
     use deck_job_setting, only: default_joint_gap, take_setting, take_standing
     use deck_job_state, only: state_type
+    use deck_job_vary, only: is_vary, take_vary
+    use deck_job_wanted, only: is_measure, take_sweep, take_wanted
+    use deck_sweep, only: sweep_type
     implicit none (type, external)
     private
 
@@ -36,6 +39,8 @@ contains
         integer :: before, kind
 
         call find_kind(state, card, kind, faults)
+        if (.not. is_vary(kind)) state%before = card
+        if (.not. is_vary(kind)) state%before_kind = 0
         if (kind == 0) return
         if (is_data_card(kind) .and. .not. state%open%is_open) then
             call blame(card, 1, &
@@ -43,7 +48,7 @@ contains
                 'behind it', faults)
             return
         end if
-        if (.not. is_data_card(kind)) call close_line(state, faults)
+        if (.not. is_data_card(kind) .and. .not. is_vary(kind)) call close_line(state, faults)
         before = faults%count
         call check_card(card, kind, faults)
         if (.not. faults%has_errors(before)) then
@@ -54,6 +59,7 @@ contains
             call refuse_outline(state)
         end if
         if (is_data_card(kind) .and. faults%has_errors(before)) state%open%is_sound = .false.
+        if (.not. is_vary(kind) .and. .not. faults%has_errors(before)) state%before_kind = kind
     end subroutine take_card
 
     !> Finds out which card it is; 0 where it is none, which is then a fault.
@@ -66,6 +72,7 @@ contains
         integer :: i
 
         word = field_text(card, 1)
+        if (word == 'OBJECTIVE') word = 'OBJECT'
         second = field_text(card, 2)
         kind = wordless_card(state)
         if (.not. begins_as_word(word)) return
@@ -74,6 +81,7 @@ contains
             if (body_layout(i)%word /= word) cycle
             if (body_layout(i)%second == '' .or. body_layout(i)%second == second) kind = i
         end do
+        if (kind == body_card%limit .and. is_measure(second)) kind = body_card%limit_measure
         if (kind > 0) return
         if (any(card_word == word)) then
             associate (wanted => pack(body_layout%second, body_layout%word == word))
@@ -140,6 +148,12 @@ contains
             call take_cut(state, card, kind, faults)
         case (body_card%check_point:body_card%check_box)
             call take_check(state, card, kind, faults)
+        case (body_card%vary:body_card%vary_tied)
+            call take_vary(state, card, kind, faults)
+        case (body_card%sweep)
+            call take_sweep(state, card, faults)
+        case (body_card%object:body_card%limit_measure)
+            call take_wanted(state, card, kind, faults)
         end select
     end subroutine take_sound
 
@@ -184,6 +198,7 @@ contains
         associate (job => state%job)
             job%body = job%body(:state%bodies)
             job%title = ''
+            call trim_sweep(job%sweep, [state%variables, state%targets, state%wanted])
             if (allocated(heading%title)) job%title = heading%title
             if (allocated(heading%units)) job%units = heading%units
             if (.not. state%has_met(body_card%output)) job%output = job%units
@@ -192,6 +207,22 @@ contains
             if (.not. faults%has_errors(0)) call warn_of_nothing(job, faults)
         end associate
     end subroutine finish_job
+
+    !> Cuts the lists of the sweep to their length.
+    pure subroutine trim_sweep(sweep, length)
+        type(sweep_type), intent(inout) :: sweep    !! lists with room for more
+        integer, intent(in) :: length(3)            !! variables, fields, measures
+        type(sweep_type) :: room
+
+        room = sweep
+        if (allocated(room%variable)) deallocate (sweep%variable)
+        if (allocated(room%target)) deallocate (sweep%target)
+        if (allocated(room%wanted)) deallocate (sweep%wanted)
+        allocate (sweep%variable(length(1)), sweep%target(length(2)), sweep%wanted(length(3)))
+        if (length(1) > 0) sweep%variable = room%variable(:length(1))
+        if (length(2) > 0) sweep%target = room%target(:length(2))
+        if (length(3) > 0) sweep%wanted = room%wanted(:length(3))
+    end subroutine trim_sweep
 
     !> A symmetric body has no port sections of its own.
     pure subroutine check_sides(job, faults)

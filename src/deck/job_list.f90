@@ -4,6 +4,7 @@ module deck_job_list
     use deck_duct, only: duct_type
     use deck_job, only: body_type, check_type, control_line_type, cut_type, outline_type, &
         patch_type, piece_type, section_type
+    use deck_sweep, only: target_type, variable_type, wanted_type
     implicit none (type, external)
     private
 
@@ -15,7 +16,8 @@ module deck_job_list
     !> Puts an item at the end of a list that holds `count` of them.
     interface append
         module procedure append_body, append_line, append_piece, append_section, append_cut, &
-            append_check, append_outline, append_patch, append_duct
+            append_check, append_outline, append_patch, append_duct, append_variable, append_target, &
+            append_wanted
     end interface append
 
 contains
@@ -172,5 +174,56 @@ contains
         count = count + 1
         list(count) = item
     end subroutine append_check
+
+    !> Adds a variable of a sweep.
+    pure subroutine append_variable(list, count, item)
+        type(variable_type), allocatable, intent(inout) :: list(:) !! the list
+        integer, intent(inout) :: count !! items in it
+        type(variable_type), intent(in) :: item !! what to add
+        type(variable_type), allocatable :: grown(:)
+
+        if (.not. allocated(list)) allocate (list(first_room))
+        if (count == size(list)) then
+            allocate (grown(2*count))
+            grown(:count) = list
+            call move_alloc(grown, list)
+        end if
+        count = count + 1
+        list(count) = item
+    end subroutine append_variable
+
+    !> Adds a field that varies.
+    pure subroutine append_target(list, count, item)
+        type(target_type), allocatable, intent(inout) :: list(:) !! the list
+        integer, intent(inout) :: count !! items in it
+        type(target_type), intent(in) :: item !! what to add
+        type(target_type), allocatable :: grown(:)
+
+        if (.not. allocated(list)) allocate (list(first_room))
+        if (count == size(list)) then
+            allocate (grown(2*count))
+            grown(:count) = list
+            call move_alloc(grown, list)
+        end if
+        count = count + 1
+        list(count) = item
+    end subroutine append_target
+
+    !> Adds a measure that is looked at.
+    pure subroutine append_wanted(list, count, item)
+        type(wanted_type), allocatable, intent(inout) :: list(:) !! the list
+        integer, intent(inout) :: count !! items in it
+        type(wanted_type), intent(in) :: item !! what to add
+        type(wanted_type), allocatable :: grown(:)
+
+        if (.not. allocated(list)) allocate (list(first_room))
+        if (count == size(list)) then
+            allocate (grown(2*count))
+            grown(:count) = list
+            call move_alloc(grown, list)
+        end if
+        count = count + 1
+        list(count) = item
+    end subroutine append_wanted
 
 end module deck_job_list

@@ -46,6 +46,11 @@ module deck_job_state
         integer :: ducts = 0                        !! its ducts
         integer :: cuts = 0                         !! its cuts
         integer :: checks = 0                       !! its checks
+        integer :: variables = 0                    !! variables of the sweep, with room for more
+        integer :: targets = 0                      !! fields that vary
+        integer :: wanted = 0                       !! measures that are looked at
+        type(card_type) :: before                   !! the last card that is no VARY card
+        integer :: before_kind = 0                  !! one of `body_card%...`; 0: it was in error
         type(open_line_type) :: open                !! the open line
         type(standing_type) :: standing             !! what holds for cuts to come
         logical :: has_met(size(body_layout)) = .false. !! cards met that stand but once

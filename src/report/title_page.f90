@@ -6,6 +6,7 @@ module report_title_page
     use base_text, only: right, to_text
     use deck_body_card, only: card_type
     use deck_job, only: body_type, job_type, view_type
+    use deck_sweep, only: sweep_type
     use report_ordinate, only: largest_rounding, ordinate_form_type
     use report_page, only: page_type
     implicit none (type, external)
@@ -67,6 +68,7 @@ contains
         do i = 1, size(job%body)
             call gather(job%body(i), cards)
         end do
+        call gather_sweep(job%sweep, cards)
         call page%line(out, 'CARDS READ')
         last = 0
         do i = 1, size(cards)
@@ -81,6 +83,22 @@ contains
             end associate
         end do
     end subroutine print_echo
+
+    !> Adds the cards of a sweep.
+    subroutine gather_sweep(sweep, cards)
+        type(sweep_type), intent(in) :: sweep                   !! of the job
+        type(card_type), allocatable, intent(inout) :: cards(:) !! gets its cards
+        integer :: i
+
+        call add(sweep%card, cards)
+        if (.not. allocated(sweep%target)) return
+        do i = 1, size(sweep%target)
+            call add(sweep%target(i)%card, cards)
+        end do
+        do i = 1, size(sweep%wanted)
+            call add(sweep%wanted(i)%card, cards)
+        end do
+    end subroutine gather_sweep
 
     !> The line where each card begins.
     pure function first_lines(cards) result(lines)
