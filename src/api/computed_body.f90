@@ -13,13 +13,13 @@ module api_computed_body
     use body_build, only: build_body
     use body_build_panels, only: build_panels
     use body_duct, only: build_ducts, duct_type
-    use body_gap, only: gap_type, section_gaps
+    use body_gap_faults, only: report_gaps
     use body_ledger, only: joint_type
     use body_outline, only: build_outlines, outline_type
     use body_panel, only: panel_type
     use body_ring, only: ring_of
     use body_ring_list, only: ring_type
-    use cut_clearance, only: check_clearance, clearance_type, component_kind, component_type
+    use cut_clearance, only: check_clearance, clearance_type
     use cut_clearance_map, only: map_type, new_map
     use cut_duct, only: duct_measure_type, measure_duct
     use cut_make, only: make_cut
@@ -30,9 +30,10 @@ module api_computed_body
     use cut_plane, only: cut_kind
     use cut_request, only: request_type
     use deck_body_card, only: blame, warn
-    use deck_job, only: asked_body_type => body_type, asked_cut_type => cut_type, check, &
-        check_real, check_type, job_type, name_length
+    use deck_job, only: asked_body_type => body_type, asked_cut_type => cut_type, job_type, &
+        name_length
     use report_arc_listing, only: arc_table_type
+    use sweep_component, only: component_of
     implicit none (type, external)
     private
 
@@ -142,28 +143,6 @@ contains
         end do
     end subroutine cuts_of_body
 
-    !> Reports where a section has no conic though its lines are there.
-    subroutine report_gaps(asked, body, faults)
-        type(asked_body_type), intent(in) :: asked              !! as the deck has it
-        type(body_type), intent(in) :: body                     !! as built
-        type(fault_list_type), intent(inout) :: faults          !! gets a fault for each gap
-        type(gap_type), allocatable :: gaps(:)
-        integer :: i, j, k
-
-        do i = 1, size(body%sections)
-            gaps = section_gaps(body, body%sections(i))
-            do j = 1, size(asked%section)
-                if (asked%section(j)%name /= body%sections(i)%name) cycle
-                do k = 1, size(gaps)
-                    call blame(asked%section(j)%card, 2, 'no conic from STA '// &
-                        compact(gaps(k)%from)//' to '//compact(gaps(k)%to)//': '// &
-                        gaps(k)%reason, faults)
-                end do
-                exit
-            end do
-        end do
-    end subroutine report_gaps
-
     !> Makes the cuts of one card. What is wrong with several of them in the same way is said once.
     subroutine add_cuts(asked, computed, faults)
         type(asked_cut_type), intent(in) :: asked               !! the card
@@ -262,25 +241,5 @@ contains
             end associate
         end do
     end subroutine check_components
-
-    !> A component of a CHECK card.
-    pure type(component_type) function component_of(card) result(component)
-        type(check_type), intent(in) :: card !! the card
-
-        component%name = card%name
-        component%clearance = to_real(card%clearance)
-        component%skin = to_real(card%skin)
-        component%at = check_real(card, [1, 2, 3])
-        select case (card%kind)
-        case (check%sphere)
-            component%kind = component_kind%sphere
-            component%radius = check_real(card, 4)
-        case (check%box)
-            component%kind = component_kind%box
-            component%other = check_real(card, [4, 5, 6])
-        case default
-            component%kind = component_kind%point
-        end select
-    end function component_of
 
 end module api_computed_body

@@ -16,7 +16,7 @@ module app_files
     implicit none (type, external)
     private
 
-    public :: result_file_type, hold_standard_files, make_folder, base_name
+    public :: result_file_type, hold_standard_files, make_folder, base_name, can_be_replaced
 
     !> Permissions asked for a new file or folder; the umask takes its part.
     integer(c_int), parameter :: file_mode = int(o'666', c_int), folder_mode = int(o'777', c_int)

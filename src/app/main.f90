@@ -11,6 +11,7 @@ program loft
     use app_run, only: run_deck
     use app_signals, only: end_run, guard_run
     use app_status, only: status
+    use app_sweep, only: sweep_deck
     use base_error, only: error_type
     use base_output, only: output_type
     use base_posix, only: standard_error, standard_output
@@ -39,6 +40,8 @@ program loft
             call export_deck(options, exit_status, messages, error)
         case ('audit')
             call audit_tables(options, exit_status, messages, error)
+        case ('sweep')
+            call sweep_deck(options, exit_status, messages, error)
         case ('help')
             call print_help(topic(options), answer, error)
         case ('version')

@@ -18,7 +18,7 @@ module app_option_table
     end type option_layout_type
 
     !> All of them.
-    type(option_layout_type), parameter :: known(27) = [ &
+    type(option_layout_type), parameter :: known(30) = [ &
         option_layout_type('--arithmetic', 'words', 'ieee s360', 'run', ''), &
         option_layout_type('--shift', 'number', 'in deck units', 'run', ''), &
         option_layout_type('--asa', 'flag', '', 'run', ''), &
@@ -27,8 +27,11 @@ module app_option_table
         option_layout_type('--format', 'words', 'listing csv deck', 'audit', ''), &
         option_layout_type('--format', 'words', 'svg pdf dxf iges step stl obj nc hrm wgs csv', &
             'export', ''), &
-        option_layout_type('-o', 'path', '', 'run plot export audit', ''), &
-        option_layout_type('--help', 'flag', '', 'run check plot export audit help', ''), &
+        option_layout_type('-o', 'path', '', 'run plot export audit sweep', ''), &
+        option_layout_type('--help', 'flag', '', 'run check plot export audit sweep help', ''), &
+        option_layout_type('--resume', 'flag', '', 'sweep', ''), &
+        option_layout_type('--variant', 'positive', 'of a variant', 'sweep', ''), &
+        option_layout_type('--plot', 'flag', '', 'sweep', ''), &
         option_layout_type('--tolerance', 'positive', 'in deck units', 'export', ''), &
         option_layout_type('--units', 'words', 'in mm ft m', 'export', &
             'svg pdf dxf iges step stl obj nc hrm wgs'), &

@@ -9,14 +9,14 @@ module app_options
     implicit none (type, external)
     private
 
-    public :: options_type, argument_type, given_type, read_options
+    public :: options_type, argument_type, given_type, read_options, was_given
 
     !> One word of the command line.
     type :: argument_type
         character(:), allocatable :: text !! the word as given
     end type argument_type
 
-    !> An option of `loft export` that was given.
+    !> An option of `loft export` or `loft sweep` that was given.
     type :: given_type
         character(:), allocatable :: name   !! of the option
         character(:), allocatable :: text   !! its value as typed; nothing: a flag
@@ -25,7 +25,7 @@ module app_options
 
     !> What the command line asks for.
     type :: options_type
-        character(:), allocatable :: command    !! run, check, plot, export, audit, help or version
+        character(:), allocatable :: command    !! run, check, plot, export, audit, sweep, help, version
         character(:), allocatable :: arithmetic !! ieee or s360
         character(:), allocatable :: format     !! of the result; empty: not said
         character(:), allocatable :: output     !! file or folder of `-o`, or nothing
@@ -33,11 +33,11 @@ module app_options
         logical :: asa = .false.                !! the carriage control column is kept
         logical :: wants_help = .false.         !! --help stands behind the command
         type(argument_type), allocatable :: operand(:) !! decks, or the topic of help
-        type(given_type), allocatable :: given(:) !! the options of export alone, as they stand
+        type(given_type), allocatable :: given(:) !! the options of export and sweep, as they stand
     end type options_type
 
     !> The commands.
-    character(*), parameter :: commands = 'run check plot export audit help'
+    character(*), parameter :: commands = 'run check plot export audit sweep help'
 
 contains
 
@@ -237,13 +237,24 @@ contains
         end select
     end subroutine keep
 
+    !> True where an option was given.
+    pure logical function was_given(options, name)
+        type(options_type), intent(in) :: options   !! the command line
+        character(*), intent(in) :: name            !! of an option of export or sweep
+        integer :: i
+        was_given = .false.
+        do i = 1, size(options%given)
+            was_given = was_given .or. options%given(i)%name == name
+        end do
+    end function was_given
+
     !> What can't stand together.
     pure subroutine check_options(options, error)
         type(options_type), intent(inout) :: options        !! all that was read
         type(error_type), allocatable, intent(out) :: error !! `cause%usage`
 
         select case (options%command)
-        case ('run', 'plot', 'export', 'audit')
+        case ('run', 'plot', 'export', 'audit', 'sweep')
             if (size(options%operand) > 1) call fail(error, cause%usage, &
                 'loft '//options%command//' takes one deck; '''// &
                 options%operand(2)%text//''' is too much')
@@ -254,7 +265,7 @@ contains
             if (size(options%operand) > 0) call fail(error, cause%usage, '--version stands alone')
         end select
         if (size(options%operand) == 0 .and. &
-            is_one_of(options%command, 'check plot export audit')) then
+            is_one_of(options%command, 'check plot export audit sweep')) then
             call fail(error, cause%usage, &
                 'loft '//options%command//' needs a deck (- is standard input)')
         end if

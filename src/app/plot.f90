@@ -16,7 +16,7 @@ module app_plot
     implicit none (type, external)
     private
 
-    public :: plot_deck
+    public :: plot_deck, default_folder
 
 contains
 

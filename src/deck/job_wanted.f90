@@ -137,9 +137,11 @@ contains
         type(state_type), intent(in) :: state           !! the job so far
         type(wanted_type), intent(inout) :: item        !! with its card and measure
         type(fault_list_type), intent(inout) :: faults  !! what is wrong is added
+        character(:), allocatable :: word
         logical :: is_number
 
-        associate (card => item%card, word => field_text(item%card, 2))
+        associate (card => item%card)
+            word = field_text(card, 2)
             is_number = looks_like_number(field_text(card, 5))
             select case (item%measure)
             case (measure%area, measure%girth, measure%width, measure%height)

@@ -1,0 +1,230 @@
+!> The journal of a sweep: `FILE.partial`, to which each variant is written as a whole row the moment
+!> it is finished, in whatever order that is. It stays when LOFT is stopped or killed; `--resume`
+!> reads it and goes on. A last row that was torn is cut off and computed again. When all variants
+!> are done the result is written anew, in order, under its own name, and the journal is removed.
+module app_journal
+    use, intrinsic :: iso_c_binding, only: c_associated, c_int, c_int64_t, c_null_ptr, c_ptr
+    use app_progress, only: tell_progress
+    use app_whole_file, only: read_whole
+    use base_error, only: cause, error_type, fail
+    use base_kinds, only: i64
+    use base_output, only: output_type
+    use base_posix, only: c_fclose, c_fileno, c_fopen, c_text, c_truncate, c_unlink, last_error
+    use base_text, only: to_text
+    use sweep_keeper, only: keeper_type
+    use sweep_record, only: header_of, read_row, record_type, row_of_record
+    use sweep_study, only: study_type
+    implicit none (type, external)
+    private
+
+    public :: journal_type, pending_of
+
+    !> A journal, and all that is known of the sweep so far.
+    type, extends(keeper_type) :: journal_type
+        type(record_type), allocatable :: record(:)     !! of all variants; number 0: not done yet
+        character(:), allocatable :: header             !! the lines before the rows
+        character(:), allocatable, private :: path      !! of the journal; not set: there is none
+        type(c_ptr), private :: stream = c_null_ptr
+        type(output_type), private :: out
+        integer, private :: done = 0                    !! finished variants
+        integer, private :: done_before = 0             !! those that were in the journal
+        integer(i64), private :: begun = 0              !! ticks of the clock when it was opened
+    contains
+        procedure :: begin
+        procedure :: open => open_journal
+        procedure :: keep => keep_in_journal
+        procedure :: close => close_journal
+        procedure :: remove
+    end type journal_type
+
+contains
+
+    !> Begins a journal that is only kept in memory.
+    subroutine begin(journal, study, checksum)
+        class(journal_type), intent(inout) :: journal   !! the journal
+        type(study_type), intent(in) :: study           !! the sweep
+        character(*), intent(in) :: checksum            !! SHA-256 of the deck
+        allocate (journal%record(study%plan%count))
+        journal%header = header_of(study, checksum)
+        call system_clock(journal%begun)
+    end subroutine begin
+
+    !> Opens the journal beside a result. To resume is to read what is in it, or, where there is
+    !> none, in a result that is whole.
+    !>
+    !> Fails with `cause%file_trouble` where there is one and nobody said that it is to be gone on
+    !> with, where it is of another deck, where a row of it is none, or with the system's words.
+    subroutine open_journal(journal, result, study, is_resumed, error)
+        class(journal_type), intent(inout) :: journal       !! begun
+        character(*), intent(in) :: result                  !! name of the result
+        type(study_type), intent(in) :: study               !! the sweep
+        logical, intent(in) :: is_resumed                   !! it is to be gone on with
+        type(error_type), allocatable, intent(out) :: error !! see above
+        logical :: has_journal, has_result
+        integer(i64) :: kept
+
+        kept = 0
+        journal%path = result//'.partial'
+        inquire (file=journal%path, exist=has_journal)
+        inquire (file=result, exist=has_result)
+        if (has_journal .and. .not. is_resumed) then
+            call fail(error, cause%file_trouble, journal%path//' is there, of a sweep that was '// &
+                'stopped: --resume goes on with it; without it, remove that file first')
+        else if (has_journal) then
+            call read_rows(journal, journal%path, study, kept, error)
+        else if (has_result .and. is_resumed) then
+            call read_rows(journal, result, study, kept, error)
+            kept = 0
+            if (journal%done == study%plan%count) return
+        end if
+        if (.not. allocated(error)) call open_to_append(journal, kept, has_journal, error)
+        journal%done_before = journal%done
+    end subroutine open_journal
+
+    !> Opens the file to put rows behind what is kept of it.
+    !>
+    !> Fails with `cause%file_trouble` and the system's words.
+    subroutine open_to_append(journal, kept, is_there, error)
+        class(journal_type), intent(inout) :: journal       !! with its path
+        integer(i64), intent(in) :: kept                    !! bytes that stay
+        logical, intent(in) :: is_there                     !! the file is there
+        type(error_type), allocatable, intent(out) :: error !! see above
+        integer(c_int) :: trouble
+
+        trouble = 0
+        if (is_there) trouble = c_truncate(c_text(journal%path), int(kept, c_int64_t))
+        if (trouble == 0) journal%stream = c_fopen(c_text(journal%path), c_text('a'))
+        if (trouble /= 0 .or. .not. c_associated(journal%stream)) then
+            call fail(error, cause%file_trouble, journal%path//': '//last_error())
+            return
+        end if
+        call journal%out%attach(c_fileno(journal%stream))
+        if (kept > 0) return
+        call journal%out%put(journal%header)
+        call journal%out%flush(error)
+        if (allocated(error)) error%message = journal%path//': '//error%message
+    end subroutine open_to_append
+
+    !> Reads the rows of a journal, or of a result.
+    !>
+    !> Fails with `cause%file_trouble` where it is of another deck, or a whole row is none.
+    subroutine read_rows(journal, name, study, kept, error)
+        class(journal_type), intent(inout) :: journal       !! gets the variants
+        character(*), intent(in) :: name                    !! of the file
+        type(study_type), intent(in) :: study               !! the sweep
+        integer(i64), intent(out) :: kept                   !! bytes of header and whole rows
+        type(error_type), allocatable, intent(out) :: error !! see above
+        character(:), allocatable :: text
+        integer(i64) :: feed
+        integer :: line
+
+        kept = 0
+        call read_whole(name, text, error)
+        if (allocated(error)) return
+        if (index(journal%header, text) == 1) return
+        if (index(text, journal%header) /= 1) then
+            call fail(error, cause%file_trouble, name//' is of another deck, or this deck was '// &
+                'changed, or it is of another version of LOFT; remove it, or give -o another name')
+            return
+        end if
+        kept = len(journal%header, i64)
+        line = 2
+        do
+            feed = index(text(kept + 1:), new_line('a'), kind=i64)
+            if (feed == 0) exit
+            line = line + 1
+            call take_row(journal, text(kept + 1:kept + feed - 1), study, error)
+            if (allocated(error)) then
+                error%message = name//':'//to_text(line)//': '//error%message
+                return
+            end if
+            kept = kept + feed
+        end do
+    end subroutine read_rows
+
+    !> Takes a row of a journal.
+    !>
+    !> Fails with `cause%file_trouble` where it is none.
+    subroutine take_row(journal, row, study, error)
+        class(journal_type), intent(inout) :: journal       !! gets the variant
+        character(*), intent(in) :: row                     !! without line feed
+        type(study_type), intent(in) :: study               !! the sweep
+        type(error_type), allocatable, intent(out) :: error !! see above
+        type(record_type) :: record
+        logical :: is_sound
+
+        call read_row(row, study, record, is_sound)
+        if (.not. is_sound) then
+            call fail(error, cause%file_trouble, 'no row of this sweep; remove the line, and its '// &
+                'variant is computed again')
+            return
+        end if
+        if (journal%record(record%number)%number == 0) journal%done = journal%done + 1
+        journal%record(record%number) = record
+    end subroutine take_row
+
+    !> Keeps a variant: its row goes to the file at once.
+    !>
+    !> Fails with `cause%file_trouble` and the system's words.
+    subroutine keep_in_journal(keeper, record, error)
+        class(journal_type), intent(inout) :: keeper        !! the journal
+        type(record_type), intent(in) :: record             !! a finished variant
+        type(error_type), allocatable, intent(out) :: error !! see above
+
+        if (c_associated(keeper%stream)) then
+            call keeper%out%line(row_of_record(record, .false.))
+            call keeper%out%flush(error)
+            if (allocated(error)) then
+                error%message = keeper%path//': '//error%message//'; --resume goes on from here'
+                return
+            end if
+        end if
+        keeper%record(record%number) = record
+        keeper%done = keeper%done + 1
+        call tell_progress('variant '//to_text(keeper%done)//' of '// &
+            to_text(size(keeper%record))//time_left(keeper))
+    end subroutine keep_in_journal
+
+    !> The time that is left at the pace so far, in words.
+    function time_left(journal) result(words)
+        class(journal_type), intent(in) :: journal !! at least one was computed since it was opened
+        character(:), allocatable :: words
+        integer(i64) :: now, rate, left
+
+        call system_clock(now, rate)
+        left = (now - journal%begun)/int(journal%done - journal%done_before, i64)* &
+            int(size(journal%record) - journal%done, i64)/rate
+        if (left >= 3600) then
+            words = ', '//to_text(left/3600)//' h '//to_text(mod(left, 3600_i64)/60)//' min left'
+        else if (left >= 60) then
+            words = ', '//to_text(left/60)//' min '//to_text(mod(left, 60_i64))//' s left'
+        else
+            words = ', '//to_text(left)//' s left'
+        end if
+    end function time_left
+
+    !> Numbers of the variants that are not done.
+    pure function pending_of(journal) result(pending)
+        type(journal_type), intent(in) :: journal !! the journal
+        integer, allocatable :: pending(:)
+        integer :: i
+        pending = pack([(i, i = 1, size(journal%record))], journal%record%number == 0)
+    end function pending_of
+
+    !> Closes the file; it stays.
+    subroutine close_journal(journal)
+        class(journal_type), intent(inout) :: journal !! the journal
+        integer(c_int) :: ignored
+        if (c_associated(journal%stream)) ignored = c_fclose(journal%stream)
+        journal%stream = c_null_ptr
+    end subroutine close_journal
+
+    !> Removes the file: the result is whole under its own name.
+    subroutine remove(journal)
+        class(journal_type), intent(inout) :: journal !! the journal
+        integer(c_int) :: ignored
+        call journal%close()
+        if (allocated(journal%path)) ignored = c_unlink(c_text(journal%path))
+    end subroutine remove
+
+end module app_journal
