@@ -32,6 +32,10 @@ LOFT := $(if $(filter release,$(MODE)),$(BUILD),$(B))/loft
 ABI     := $(shell $(AWK) '$$2 == "LOFT_ABI_VERSION" { print $$3 }' src/api/loft.h)
 VERSION := $(shell sed -n "s/.*version = '\(.*\)'/\1/p" src/base/constants.f90)
 LIBLOFT := $(B)/libloft.a $(if $(filter Darwin,$(shell uname)),,$(B)/libloft.so.$(ABI))
+# The same program for many processes: modules of mpi/ take the place of their twins in src/.
+MPIFC := mpifort
+TWINS := $(sort $(shell find mpi -name '*.f90'))
+HAS_MPI := $(shell command -v $(MPIFC))
 
 SOURCES := $(sort $(shell find src tests -name '*.f90'))
 OBJECTS := $(SOURCES:%.f90=$(B)/%.o)
@@ -58,7 +62,7 @@ MAKEFLAGS += --no-print-directory
 .PHONY: all debug programs library objects deps deps-test deps-doc doc demo check test soak lint golden book \
     plot pictures bench graph install uninstall clean help
 
-all: $(LOFT)                        ## builds build/loft (DEBUG=1: build/debug/loft)
+all: $(LOFT)$(if $(MPI),-mpi)       ## builds build/loft (DEBUG=1: build/debug/loft; MPI=1: build/loft-mpi)
 	@:
 
 debug:                              ## builds build/debug/loft, which checks all it does
@@ -68,6 +72,7 @@ debug:                              ## builds build/debug/loft, which checks all
 
 # The rules `object: objects of the modules it uses` and `program: objects it needs`.
 $(shell mkdir -p $(B)/mod && $(AWK) -v objects=$(B) -v loft=$(LOFT) -v library=$(B)/libloft.o \
+    -v twins='$(TWINS)' \
     -f tests/make/modules.awk -f tests/make/order.awk $(SOURCES) > $(B)/order.mk)
 include $(B)/order.mk
 
@@ -106,7 +111,19 @@ $(B)/libloft.so.$(ABI): $(B)/libloft.o
 	@$(FC) -shared -fopenmp -Wl,-soname,$(@F) -Wl,--version-script=src/api/libloft.map -Wl,-z,defs \
 	    $< $(LDFLAGS) $(LIBS) -o $@
 
-objects: $(OBJECTS)
+# The interface of a twin is that of the module it stands for, so that module's users need not be
+# compiled again; tests/sweep/twins.t compares the two.
+$(TWINS:%.f90=$(B)/%.o): $(B)/%.o: %.f90 Makefile
+	@command -v $(MPIFC) > /dev/null || { echo "there is no $(MPIFC); make MPI=1 deps installs it" >&2; exit 1; }
+	@mkdir -p $(@D) $(B)/mpi/mod
+	@echo "$(MODE): $<"
+	@$(MPIFC) $(FFLAGS) -J$(B)/mpi/mod -I$(B)/mod -c $< -o $@
+
+$(LOFT)-mpi:
+	@echo "$(MODE): $@"
+	@$(MPIFC) $(FFLAGS) $(filter %.o,$^) $(LDFLAGS) $(LIBS) -o $@
+
+objects: $(OBJECTS) $(if $(HAS_MPI),$(TWINS:%.f90=$(B)/%.o))
 	@:
 programs: $(LOFT) $(TESTS:%.f90=$(B)/%)
 	@:
@@ -115,8 +132,8 @@ library: $(LIBLOFT)                 ## builds libloft.a and libloft.so
 
 # --- set-up and show ----------------------------------------------------------------------------
 
-deps:                               ## installs what is missing (DEPS=yes allows sudo)
-	@DEPS=$(DEPS) FC=$(FC) sh tests/make/deps.sh
+deps:                               ## installs what is missing (DEPS=yes allows sudo; MPI=1: OpenMPI, too)
+	@DEPS=$(DEPS) FC=$(FC) MPI=$(MPI) sh tests/make/deps.sh
 
 deps-test:                          ## installs the judges of exported files (into build/judges)
 	@DEPS=$(DEPS) sh tests/make/deps-test.sh $(JUDGES)
@@ -176,6 +193,7 @@ check: deps                         ## sets up, builds, lints and runs all tests
 
 # Whole-program tests (tests/*.t) find the program and the tree by LOFT and ROOT.
 test: $(LOFT) $(LIBLOFT) $(CHECKS) $(BOOK) ## runs all tests of one build
+test: $(LOFT) $(if $(HAS_MPI),$(LOFT)-mpi) $(CHECKS) $(BOOK)     ## runs all tests of one build
 	$(if $(CHECKS),,$(error there are no test programs))
 	@echo "== tests of the $(MODE) build"
 	@LOFT=$(abspath $(LOFT)) ROOT=$(CURDIR) JUDGES=$(abspath $(JUDGES)) MODE=$(MODE) \
@@ -197,6 +215,7 @@ soak: $(LOFT) $(SOAKS)              ## breaks LOFT for MINUTES, or fails to (SEE
 lint:                               ## reads all sources: compiler warnings, layers, style
 	@$(MAKE) MODE=lint objects
 	@$(AWK) -f tests/make/modules.awk -f tests/lint/lint.awk $(SOURCES)
+	@$(AWK) -f tests/make/modules.awk -f tests/lint/lint.awk $(TWINS)
 
 golden: $(LOFT)                     ## rewrites golden/ with what the program prints now
 	@LOFT=$(abspath $(LOFT)) ROOT=$(CURDIR) sh tests/golden

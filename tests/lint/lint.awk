@@ -7,6 +7,7 @@ BEGIN {
     widest = 100; longest_file = 300; longest_procedure = 60; most_arguments = 6
     # Modules with nothing to run: names of kinds; interfaces to the system; plain data.
     untested["base_kinds"]; untested["base_posix"]
+    untested["deck_sweep"]; untested["sweep_keeper"]
     untested["export_drawing"]; untested["export_settings"]
     # Commands, proved by whole runs in tests/*.t, which see what their users see.
     untested["app_check"]; untested["app_help"]; untested["app_plot"]; untested["app_run"]
@@ -16,6 +17,8 @@ BEGIN {
     untested["app_export_write"]
     untested["app_progress"]; untested["app_audit"]; untested["app_plot_audit"]
     untested["app_picture_drawing"]
+    untested["app_progress"]
+    untested["app_sweep"]; untested["app_sweep_result"]; untested["app_sweep_plot"]; untested["app_journal"]
     untested["app_plot_conics"]; untested["app_plot_body"]; untested["app_picture_folder"]
     # Faces for C, proved by tests/library.t from C.
     untested["api_c_error"]; untested["api_c_deck"]; untested["api_c_words"]
@@ -47,7 +50,7 @@ function code_of(text,    code, c, i) {
 
 function start_file() {
     file = FILENAME
-    in_src = file ~ /^src\//
+    in_src = file ~ /^(src|mpi)\//
     layer = in_src ? layer_of(module_of(file)) : ""
     depth = units = implicit_none = is_private = documented = 0
     statement = quote = ""

@@ -2,11 +2,19 @@
 # Installs what LOFT needs and this machine lacks: gfortran, LAPACK, gnuplot and perl's `prove`.
 # Installs by apt-get alone, as root or, with DEPS=yes, through sudo. Otherwise it prints the line
 # to type and stops with status 1. Where nothing is missing it says nothing and needs no network.
+# With MPI=1 OpenMPI is needed, too.
 
 apt='apt-get install -y --no-install-recommends gfortran libc6-dev liblapack-dev gnuplot-nox perl'
 dnf='dnf install -y gcc-gfortran lapack-devel blas-devel gnuplot perl-Test-Harness'
 pacman='pacman -S --needed gcc-fortran lapack blas gnuplot perl'
 brew='brew install gcc lapack gnuplot perl'
+
+if [ -n "${MPI:-}" ]; then
+    apt="$apt libopenmpi-dev openmpi-bin"
+    dnf="$dnf openmpi-devel"
+    pacman="$pacman openmpi"
+    brew="$brew open-mpi"
+fi
 
 has() { command -v "$1" > /dev/null 2>&1; }
 
@@ -26,6 +34,8 @@ has "${FC:-gfortran}" || missing="$missing gfortran"
 links_lapack          || missing="$missing lapack"
 has gnuplot           || missing="$missing gnuplot"
 has prove             || missing="$missing prove"
+[ -z "${MPI:-}" ] || has mpifort || missing="$missing mpifort"
+[ -z "${MPI:-}" ] || has mpirun  || missing="$missing mpirun"
 [ -z "$missing" ] && exit 0
 echo "LOFT needs, and this machine lacks:$missing" >&2
 

@@ -19,9 +19,10 @@ BEGIN {
     for (i = 1; i < ARGC; i++) if (ARGV[i] ~ /\.f90$/) path[module_of(ARGV[i])] = ARGV[i]
 }
 
-# The name a module must have in the file src/geom/arc.f90 or tests/support/tap.f90.
+# The name a module must have in the file src/geom/arc.f90 or tests/support/tap.f90. A file of mpi/
+# stands for that of src/ with the same name.
 function module_of(file) {
-    sub(/^(src|tests)\//, "", file)
+    sub(/^(src|tests|mpi)\//, "", file)
     sub(/\.f90$/, "", file)
     gsub(/\//, "_", file)
     return file
@@ -38,13 +39,13 @@ function may_use(layer, other) {
     return layer == other || index(" " below[layer] " ", " " other " ") > 0
 }
 
-# The module a `use` line names; nothing for other lines and for intrinsic modules.
+# The module a `use` line names; nothing for other lines, for intrinsic modules and for that of MPI.
 function used(line) {
     line = tolower(line)
     if (line !~ /^ *use[ ,:]/ || line ~ /^ *use *, *intrinsic/) return ""
     sub(/^ *use *(, *non_intrinsic *)?(:: *)?/, "", line)
     sub(/[^a-z0-9_].*/, "", line)
-    return line
+    return line == "mpi_f08" ? "" : line
 }
 
 # Marks every module that a module needs, at first or second hand.
