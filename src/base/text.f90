@@ -1,7 +1,11 @@
 !> Small deeds on text that Fortran leaves out: case, numbers as words, lists.
+!>
+!> Where a length can be said before the text is made, it is: gfortran keeps the length of any other
+!> result in one place for all threads (`slen`), so that two of them may not call such a function at
+!> the same time.
 module base_text
-    use base_exact, only: is_zero
     use base_kinds, only: dp, i64
+    use base_length, only: compact_field, compact_length, places
     implicit none (type, external)
     private
 
@@ -17,7 +21,7 @@ contains
     !> The same text with a-z made A-Z; other bytes stay.
     pure function upper(text) result(raised)
         character(*), intent(in) :: text !! any text
-        character(:), allocatable :: raised
+        character(len(text, i64)) :: raised
         integer :: i, letter
         raised = text
         do i = 1, len(text)
@@ -66,9 +70,8 @@ contains
     pure function row_of(letter, count) result(text)
         character, intent(in) :: letter !! which
         integer, intent(in) :: count    !! how many
-        character(:), allocatable :: text
+        character(max(int(count, i64), 0_i64)) :: text
         integer :: i
-        allocate (character(max(int(count, i64), 0_i64)) :: text)
         do i = 1, count
             text(i:i) = letter
         end do
@@ -78,56 +81,39 @@ contains
     pure function right(text, width) result(moved)
         character(*), intent(in) :: text !! any text; blanks around it do not count
         integer, intent(in) :: width     !! columns
-        character(:), allocatable :: moved
-        moved = trim(adjustl(text))
-        moved = row_of(' ', width - len(moved))//moved
+        character(max(int(width, i64), len_trim(adjustl(text), i64))) :: moved
+        moved = row_of(' ', width - len_trim(adjustl(text)))//adjustl(text)
     end function right
 
     !> A whole number in as few characters as it needs.
     pure function integer_text(value) result(text)
         integer, intent(in) :: value !! any whole number
-        character(:), allocatable :: text
-        text = long_text(int(value, i64))
+        character(places(int(value, i64))) :: text
+        write (text, '(i0)') value
     end function integer_text
 
     !> A long whole number in as few characters as it needs.
     pure function long_text(value) result(text)
         integer(i64), intent(in) :: value !! any whole number
-        character(:), allocatable :: text
-        character(24) :: field
-        write (field, '(i0)') value
-        text = trim(field)
+        character(places(value)) :: text
+        write (text, '(i0)') value
     end function long_text
 
     !> A number for a sentence: up to six decimals, or up to six figures and a power of ten, no
     !> zeros at the end (`12.5`, `-0.001`, `7.`, `3.E+20`).
     pure function compact(value) result(text)
         real(dp), intent(in) :: value !! a finite number
-        character(:), allocatable :: text
-        character(32) :: field
-        integer :: power
-
-        if (abs(value) < 1.0e7_dp .and. (abs(value) >= 1.0e-4_dp .or. is_zero(value))) then
-            write (field, '(f0.6)') merge(0.0_dp, value, is_zero(value))
-            power = len_trim(field) + 1
-        else
-            write (field, '(es15.5e3)') value
-            field = adjustl(field)
-            power = index(field, 'E')
-            if (field(power + 2:power + 2) == '0') field(power + 2:) = field(power + 3:)
-        end if
-        text = field(:verify(field(:power - 1), '0', back=.true.))//trim(field(power:))
-        if (text(1:1) == '.') text = '0'//text
-        if (index(text, '-.') == 1) text = '-0'//text(2:)
+        character(compact_length(value)) :: text
+        text = compact_field(value)
     end function compact
 
     !> A count with its noun: `1 card`, `2 cards`.
     pure function counted(number, noun) result(text)
         integer(i64), intent(in) :: number !! how many
         character(*), intent(in) :: noun   !! what, in the singular; the plural adds an s
-        character(:), allocatable :: text
+        character(places(number) + 1_i64 + len(noun, i64) + merge(0_i64, 1_i64, number == 1)) :: text
         text = long_text(number)//' '//noun
-        if (number /= 1) text = text//'s'
+        if (number /= 1) text = long_text(number)//' '//noun//'s'
     end function counted
 
     !> Characters of a text in UTF-8: bytes that don't continue one.

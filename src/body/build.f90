@@ -110,7 +110,7 @@ contains
         limited = item
         call limit_section(body%lines, limited)
         if (.not. limited%from < limited%to) then
-            call blame(asked%card, 2, no_stretch_words(limited, body%lines), faults)
+            call blame_stretch(asked, limited, body%lines, faults)
         else if (limited%from <= -huge(1.0_dp) .or. limited%to >= huge(1.0_dp)) then
             call blame(asked%card, 2, 'all lines of section '//trim(item%name)// &
                 ' are constants without an end; say FROM and TO in fields 8 and 9', faults)
@@ -124,9 +124,11 @@ contains
     end subroutine build_section
 
     !> Why a section has no stretch of stations: the ranges of its lines.
-    pure function no_stretch_words(section, lines) result(words)
-        type(section_type), intent(in) :: section   !! drawn in to its lines
-        type(line_type), intent(in) :: lines(:)     !! of the body
+    pure subroutine blame_stretch(asked, section, lines, faults)
+        type(asked_section_type), intent(in) :: asked   !! as the deck has it
+        type(section_type), intent(in) :: section       !! drawn in to its lines
+        type(line_type), intent(in) :: lines(:)         !! of the body
+        type(fault_list_type), intent(inout) :: faults  !! gets the fault
         character(:), allocatable :: words
         integer :: i
 
@@ -143,6 +145,7 @@ contains
         end do
         words = words//'drawn in to its own range and slopes nothing is left; lengthen a line, '// &
             'or correct FROM and TO'
-    end function no_stretch_words
+        call blame(asked%card, 2, words, faults)
+    end subroutine blame_stretch
 
 end module body_build

@@ -2,7 +2,8 @@
 module body_build_lines
     use base_decimal, only: to_real
     use base_fault, only: fault_list_type
-    use base_kinds, only: dp
+    use base_kinds, only: dp, i64
+    use base_length, only: compact_length
     use base_text, only: compact
     use body_build_points, only: build_points
     use body_build_view, only: build_view
@@ -127,7 +128,7 @@ contains
     !> The range of a view that is no constant, in words.
     pure function range_words(chain) result(words)
         type(chain_type), intent(in) :: chain !! any chain with ends
-        character(:), allocatable :: words
+        character(9_i64 + compact_length(chain_from(chain)) + compact_length(chain_to(chain))) :: words
         words = 'from '//compact(chain_from(chain))//' to '//compact(chain_to(chain))
     end function range_words
 

@@ -16,7 +16,7 @@ module body_nose
     use body_line, only: limit_line, line_type
     use body_nose_cap, only: cap_and_rest, new_nose, nose_type, put_cap
     use body_nose_cone, only: cone_type, find_cone
-    use body_nose_fit, only: fit_nose, fitting_words
+    use body_nose_fit, only: fit_nose, find_fitting
     use deck_body_card, only: blame
     use deck_job, only: body_type, origin, view
     use geom_stroke, only: stroke_type
@@ -39,6 +39,7 @@ contains
         type(nose_type) :: nose
         type(cone_type) :: cone
         type(line_type) :: rounded(size(lines))
+        character(:), allocatable :: words
         logical :: is_used(size(lines)), is_mine(size(lines))
         real(dp) :: radius
 
@@ -49,8 +50,10 @@ contains
         if (.not. allocated(error)) call fit_nose(lines, is_used, is_mine, &
             new_nose(cone, radius), nose, error)
         if (allocated(error)) then
-            if (error%cause == cause%no_arc) error%message = error%message//'; '// &
-                fitting_words(lines, is_used, is_mine, cone, radius)
+            if (error%cause == cause%no_arc) then
+                call find_fitting(lines, is_used, is_mine, cone, radius, words)
+                error%message = error%message//'; '//words
+            end if
         else
             rounded = lines
             call round_lines(nose, is_mine, gap, rounded, error)

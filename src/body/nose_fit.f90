@@ -11,7 +11,7 @@ module body_nose_fit
     implicit none (type, external)
     private
 
-    public :: fit_nose, fitting_words
+    public :: fit_nose, find_fitting
 
     !> Halvings that find the largest radius that fits, and the figures of it that are said.
     integer, parameter :: halvings = 60, figures = 4
@@ -73,13 +73,13 @@ contains
 
     !> What would be right for a radius that is too large: the largest that fits, found by halving
     !> between it and one that does, and rounded down.
-    pure function fitting_words(lines, is_used, is_mine, cone, radius) result(words)
-        type(line_type), intent(in) :: lines(:)     !! of the body
-        logical, intent(in) :: is_used(:)           !! sections stand on it
-        logical, intent(in) :: is_mine(:)           !! it begins in the apex
-        type(cone_type), intent(in) :: cone         !! the sharp nose
-        real(dp), intent(in) :: radius              !! does not fit, deck units
-        character(:), allocatable :: words
+    pure subroutine find_fitting(lines, is_used, is_mine, cone, radius, words)
+        type(line_type), intent(in) :: lines(:)         !! of the body
+        logical, intent(in) :: is_used(:)               !! sections stand on it
+        logical, intent(in) :: is_mine(:)               !! it begins in the apex
+        type(cone_type), intent(in) :: cone             !! the sharp nose
+        real(dp), intent(in) :: radius                  !! does not fit, deck units
+        character(:), allocatable, intent(out) :: words !! the end of a sentence
         real(dp) :: largest, above
         integer :: i
 
@@ -103,7 +103,7 @@ contains
             call fit_nose(lines, is_used, is_mine, new_nose(cone, trial), nose, error)
             fits = .not. allocated(error)
         end function fits
-    end function fitting_words
+    end subroutine find_fitting
 
     !> A number rounded down to a few figures.
     pure real(dp) function floored(value)

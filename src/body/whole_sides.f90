@@ -90,8 +90,7 @@ contains
                 if (size(meetings) == 1) then
                     corner = meetings(1)
                 else
-                    call fail(error, cause%joint_gap, 'lines '//trim(first%name)//' and '// &
-                        trim(second%name)//meeting_words(first, second, range, meetings))
+                    call blame_meetings(first, second, range, meetings, error)
                 end if
             end associate
         end if
@@ -117,12 +116,13 @@ contains
             compact(line%to))
     end subroutine check_station
 
-    !> What is wrong with the meetings of two lines.
-    pure function meeting_words(first, second, range, meetings) result(words)
-        type(line_type), intent(in) :: first    !! a line
-        type(line_type), intent(in) :: second   !! another
-        real(dp), intent(in) :: range(2)        !! where they are looked for, deck units
-        real(dp), intent(in) :: meetings(:)     !! stations, none or more than one
+    !> Says what is wrong with the meetings of two lines.
+    pure subroutine blame_meetings(first, second, range, meetings, error)
+        type(line_type), intent(in) :: first                !! a line
+        type(line_type), intent(in) :: second               !! another
+        real(dp), intent(in) :: range(2)                    !! where they are looked for, deck units
+        real(dp), intent(in) :: meetings(:)                 !! stations, none or more than one
+        type(error_type), allocatable, intent(out) :: error !! `cause%joint_gap`
         character(:), allocatable :: words
         real(dp) :: nearest(2)
         integer :: i
@@ -140,7 +140,9 @@ contains
             words = ' do not meet from station '//compact(range(1))//' to '//compact(range(2))// &
                 ': the gap is '//compact(nearest(2))//' at station '//compact(nearest(1))
         end if
-    end function meeting_words
+        call fail(error, cause%joint_gap, 'lines '//trim(first%name)//' and '// &
+            trim(second%name)//words)
+    end subroutine blame_meetings
 
     !> The arc at a station side: of the section that goes from the line before it to the one after
     !> it, or back.

@@ -4,7 +4,7 @@ module cut_clearance_inside
     use base_error, only: error_type
     use base_kinds, only: dp
     use body_body, only: body_type
-    use cut_measure_ring, only: link_type, rings_at, why_open
+    use cut_measure_ring, only: find_opening, link_type, rings_at
     use geom_arc, only: arc_type
     use geom_arc_point, only: point
     use geom_crossing, only: crossing, turning_places
@@ -24,13 +24,17 @@ contains
         logical, intent(out) :: is_inside       !! where known
         type(link_type), allocatable :: links(:)
         type(error_type), allocatable :: error
+        character(:), allocatable :: why
         real(dp) :: seen(2)
         integer :: i
 
         is_inside = .false.
         call rings_at(body, at(1), links, error)
         is_known = .not. allocated(error) .and. size(links) > 0
-        if (is_known) is_known = len(why_open(body, links)) == 0
+        if (is_known) then
+            call find_opening(body, links, why)
+            is_known = len(why) == 0
+        end if
         if (.not. is_known) return
         seen = at(2:)
         if (body%is_symmetric) seen(1) = abs(seen(1))

@@ -236,20 +236,20 @@ contains
         real(dp), intent(in) :: thickness                           !! deck units
         type(loss_type), intent(in) :: loss                         !! what is left out
         type(note_type), allocatable, intent(inout) :: notes(:)     !! gets it
-        character(:), allocatable :: place
+        character(:), allocatable :: place, words
 
         place = ' at station '//compact(loss%at(1))//', BL '//compact(loss%at(2))//', WL '// &
             compact(loss%at(3))
         if (loss%sharp > 0) then
-            notes = [notes, note_type(.false., 'the skin of '//compact(thickness)// &
-                ' is thicker than the radius of curvature '//compact(loss%radius)//place// &
-                '; no inside opposite '//counted(loss%sharp, 'point')//' of the outline')]
+            words = 'the skin of '//compact(thickness)//' is thicker than the radius of '// &
+                'curvature '//compact(loss%radius)//place//'; no inside opposite '// &
+                counted(loss%sharp, 'point')//' of the outline'
+            notes = [notes, note_type(.false., words)]
         end if
         if (loss%beyond > 0) then
-            notes = [notes, note_type(.false., 'no inside of the skin opposite '// &
-                counted(loss%beyond, &
-                'point')//' of the outline: a section or its smooth surface '// &
-                'ends there')]
+            words = 'no inside of the skin opposite '//counted(loss%beyond, 'point')// &
+                ' of the outline: a section or its smooth surface ends there'
+            notes = [notes, note_type(.false., words)]
         end if
     end subroutine tell
 

@@ -7,7 +7,7 @@ module cut_measure
     use base_text, only: compact
     use body_body, only: body_type
     use body_section, only: trace_at, trace_type
-    use cut_measure_ring, only: link_type, rings_at, sections_at, why_open
+    use cut_measure_ring, only: find_opening, link_type, rings_at, sections_at
     use geom_arc_integral, only: moments_type, operator(+), scaled, swept_by
     use geom_length, only: arc_length
     implicit none (type, external)
@@ -49,7 +49,7 @@ contains
             measure%why = error%message
             return
         end if
-        measure%why = why_open(body, links)
+        call find_opening(body, links, measure%why)
         if (len(measure%why) > 0) return
         call measure_area(body, links, measure, error)
         deallocate (measure%why)

@@ -14,7 +14,7 @@ module cut_measure_body
     use body_section, only: is_point, trace_at
     use body_taylor, only: taylor_type
     use cut_measure, only: measure_section, moments_of_rings, section_measure_type
-    use cut_measure_ring, only: link_type, rings_at, sections_at, why_open
+    use cut_measure_ring, only: find_opening, link_type, rings_at, sections_at
     use cut_measure_sheet, only: frame_at, frame_type, new_span, span_type, spot_at, spot_type, &
         station_of
     use geom_arc_integral, only: moments_type
@@ -80,7 +80,7 @@ contains
         measure%from = stops(1)
         measure%to = stops(size(stops))
         call draw_curve(body, stations, measure)
-        measure%why = why_no_volume(body, stops)
+        call find_no_volume(body, stops, measure%why)
         measure%has_volume = len(measure%why) == 0
         call add_slices(body, stops, measure, error)
         measure%has_wetted = .not. allocated(error)
@@ -141,10 +141,10 @@ contains
     end subroutine draw_curve
 
     !> Why a body has no volume, in words; empty where it has one.
-    pure function why_no_volume(body, stops) result(why)
-        type(body_type), intent(in) :: body     !! finished
-        real(dp), intent(in) :: stops(:)        !! of `stops_of`
-        character(:), allocatable :: why
+    pure subroutine find_no_volume(body, stops, why)
+        type(body_type), intent(in) :: body             !! finished
+        real(dp), intent(in) :: stops(:)                !! of `stops_of`
+        character(:), allocatable, intent(out) :: why   !! see above
         type(link_type), allocatable :: links(:)
         type(error_type), allocatable :: error
         integer :: i
@@ -155,13 +155,13 @@ contains
             if (allocated(error)) then
                 why = error%message
             else
-                why = why_open(body, links)
+                call find_opening(body, links, why)
             end if
             if (len(why) == 0) cycle
             why = 'between stations '//compact(stops(i))//' and '//compact(stops(i + 1))//' '//why
             return
         end do
-    end function why_no_volume
+    end subroutine find_no_volume
 
     !> Integrates over all spans and adds up.
     pure subroutine add_slices(body, stops, measure, error)
@@ -222,6 +222,7 @@ contains
         type(taylor_type) :: sta
         type(link_type), allocatable :: links(:)
         type(moments_type) :: moments
+        character(:), allocatable :: why
 
         value = 0.0_dp
         sta = station_of(f%span, t)
@@ -230,9 +231,9 @@ contains
         if (allocated(error) .or. f%number == 1) return
         call rings_at(f%body, sta%value, links, error)
         if (allocated(error)) return
-        if (len(why_open(f%body, links)) > 0) then
-            call fail(error, cause%joint_gap, 'at station '//compact(sta%value)//' '// &
-                why_open(f%body, links))
+        call find_opening(f%body, links, why)
+        if (len(why) > 0) then
+            call fail(error, cause%joint_gap, 'at station '//compact(sta%value)//' '//why)
             return
         end if
         call moments_of_rings(f%body, links, f%datum(3), moments, error)

@@ -12,7 +12,7 @@ module cut_measure_ring
     implicit none (type, external)
     private
 
-    public :: link_type, rings_at, why_open, sections_at
+    public :: link_type, rings_at, why_open, find_opening, sections_at
 
     !> One section of a station with its place in a ring.
     type :: link_type
@@ -153,19 +153,27 @@ contains
         type(body_type), intent(in) :: body     !! finished
         type(link_type), intent(in) :: links(:) !! of `rings_at`
         character(:), allocatable :: why
+        call find_opening(body, links, why)
+    end function why_open
+
+    !> The same for threads, which a function of text is not.
+    pure subroutine find_opening(body, links, why)
+        type(body_type), intent(in) :: body             !! finished
+        type(link_type), intent(in) :: links(:)         !! of `rings_at`
+        character(:), allocatable, intent(out) :: why   !! empty: all are closed
         integer :: i
 
         why = ''
         do i = 1, maxval([0, links%ring])
-            if (len(why) == 0) why = why_open_ring(body, pack(links, links%ring == i))
+            if (len(why) == 0) call open_ring(body, pack(links, links%ring == i), why)
         end do
-    end function why_open
+    end subroutine find_opening
 
     !> Why a ring encloses no area, in words; empty where it does.
-    pure function why_open_ring(body, ring) result(why)
-        type(body_type), intent(in) :: body     !! finished
-        type(link_type), intent(in) :: ring(:)  !! not empty
-        character(:), allocatable :: why
+    pure subroutine open_ring(body, ring, why)
+        type(body_type), intent(in) :: body             !! finished
+        type(link_type), intent(in) :: ring(:)          !! not empty
+        character(:), allocatable, intent(out) :: why   !! see above
         real(dp) :: ends(2, 2)
         integer :: i
 
@@ -181,6 +189,6 @@ contains
             end if
         end do
         if (.not. body%is_closed) why = 'the section ends at BL 0 but the deck does not say CLOSE'
-    end function why_open_ring
+    end subroutine open_ring
 
 end module cut_measure_ring

@@ -91,6 +91,7 @@ contains
     !> Notes, as an error, that the two ways to the points of a cut do not agree.
     pure subroutine note_disagreement(cut)
         type(cut_type), intent(inout) :: cut !! has outlines and disagreement
+        character(:), allocatable :: words
         real(dp) :: largest
         integer :: i
 
@@ -101,9 +102,9 @@ contains
                 maxval(abs(cut%outlines(i)%points%at(3))))
         end do
         if (cut%disagreement <= max(agreement_tolerance, agreement_ulps*ulp*largest)) return
-        cut%notes = [cut%notes, note_type(.true., &
-            'the two ways to the points of the cut differ by '// &
-            compact(cut%disagreement)//'; its figures can''t be relied upon')]
+        words = 'the two ways to the points of the cut differ by '//compact(cut%disagreement)// &
+            '; its figures can''t be relied upon'
+        cut%notes = [cut%notes, note_type(.true., words)]
     end subroutine note_disagreement
 
 end module cut_note

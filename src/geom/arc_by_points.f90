@@ -16,7 +16,8 @@ module geom_arc_by_points
     use base_error, only: cause, error_type, fail
     use base_kinds, only: dp
     use geom_arc, only: arc_type, line_between, reversed
-    use geom_points, only: check_distinct, has_inner_point, in_line_words, is_in_order, noise_of
+    use geom_points, only: are_in_line, check_distinct, find_in_line, has_inner_point, &
+        is_in_order, noise_of
     use geom_span, only: arc_past, is_level, is_passed_before, new_span, share_type, shares_of, &
         span_type, way
     use geom_triangle, only: end_type, is_straight, new_triangle
@@ -162,12 +163,12 @@ contains
         if (allocated(error)) return
         last = size(points, 2)
         is_line = is_line .and. is_in_order(points) .and. &
-            all([(in_line_words(points(:, [1, i, last]), '1A3') /= '', i = 2, last - 1)])
+            all([(are_in_line(points(:, [1, i, last])), i = 2, last - 1)])
         if (is_line) then
             arc = line_between(points(:, 1), points(:, last))
             return
         end if
-        words = in_line_words(points, names)
+        call find_in_line(points, names, words)
         if (words == '') return
         call fail(error, cause%no_arc, &
             words//', and a curved conic has no three such points; move '// &
@@ -202,6 +203,7 @@ contains
         type(arc_type), intent(out) :: arc                  !! the arc, where there is no error
         type(error_type), allocatable, intent(out) :: error !! see above
         type(share_type) :: share(size(points, 2))
+        character(:), allocatable :: words
         logical :: passes
         integer :: i, last
 
@@ -217,7 +219,9 @@ contains
                 passes = passes .and. is_passed_before(share(i), share(i + 1))
             end do
         end if
-        if (.not. passes) call fail(error, cause%no_arc, refusal(points, names))
+        if (passes) return
+        call explain_refusal(points, names, words)
+        call fail(error, cause%no_arc, words)
     end subroutine arc_in_order
 
     !> True where a point is within both end tangents and on the same side of the chord as another.
@@ -229,10 +233,10 @@ contains
     end function is_on_side
 
     !> Why the conic through some points is no arc through them in order.
-    pure function refusal(points, names) result(words)
-        real(dp), intent(in) :: points(:, :) !! shape (2, number), deck units
-        character(*), intent(in) :: names    !! a letter for each
-        character(:), allocatable :: words
+    pure subroutine explain_refusal(points, names, words)
+        real(dp), intent(in) :: points(:, :)                !! shape (2, number), deck units
+        character(*), intent(in) :: names                   !! a letter for each
+        character(:), allocatable, intent(out) :: words     !! a sentence
         integer :: i
 
         words = names(1:1)
@@ -247,6 +251,6 @@ contains
             words = 'the conic through the points does not pass them in the order '//words// &
                 ' on one arc; give them in order along the curve, or correct the slope'
         end if
-    end function refusal
+    end subroutine explain_refusal
 
 end module geom_arc_by_points

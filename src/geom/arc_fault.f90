@@ -54,7 +54,7 @@ contains
             call fail(error, cause%shoulder_on_chord, &
                 where_it_is//' but the end slopes are not; '// &
                 'move it off the chord, or for a straight line make both slopes '// &
-                slope_text(to_real(it%chord)))
+                trim(slope_text(to_real(it%chord))))
         end if
     end subroutine explain_flat
 
@@ -64,26 +64,27 @@ contains
     pure subroutine explain_no_arc(it, error)
         type(triangle_type), intent(in) :: it               !! not flat, and without an arc
         type(error_type), allocatable, intent(out) :: error !! see above
+        character(:), allocatable :: words
 
         if (is_along_chord(it, it%chord_off_start, it%t1)) then
-            call fail(error, cause%tangent_on_chord, tangent_words(it, '1', it%t1))
+            call blame_tangent(it, '1', it%t1, error)
         else if (is_along_chord(it, it%chord_off_finish, it%t3)) then
-            call fail(error, cause%tangent_on_chord, tangent_words(it, '3', it%t3))
+            call blame_tangent(it, '3', it%t3, error)
         else if (needs_inflection(it)) then
-            call fail(error, cause%inflection, 'end slopes '//slope_text(it%t1)//' and '// &
-                slope_text(it%t3)//' both turn to the same side of the chord, whose slope is '// &
-                slope_text(to_real(it%chord))//'; that needs an inflection, which a conic has '// &
-                'not: divide the curve there, or correct a slope or the shoulder point')
+            call fail(error, cause%inflection, 'end slopes '//trim(slope_text(it%t1))// &
+                ' and '//trim(slope_text(it%t3))//' both turn to the same side of the chord, '// &
+                'whose slope is '//trim(slope_text(to_real(it%chord)))//'; that needs an '// &
+                'inflection, which a conic has not: divide the curve there, or correct a slope '// &
+                'or the shoulder point')
         else if (share(it%off_start, it%chord_off_start) <= 0.0_dp) then
-            call fail(error, cause%shoulder_outside, outside_words(it, '1', '3', it%off_start, &
-                it%t1))
+            call blame_shoulder(it, '13', it%off_start, it%t1, error)
         else if (share(it%off_finish, it%chord_off_finish) <= 0.0_dp) then
-            call fail(error, cause%shoulder_outside, outside_words(it, '3', '1', it%off_finish, &
-                it%t3))
+            call blame_shoulder(it, '31', it%off_finish, it%t3, error)
         else
+            call find_inside(it, words)
             call fail(error, cause%other_branch, 'the shoulder point '//at_text(it%through)// &
                 ' is so far on the other side of the chord that points 1 and 3 are on '// &
-                'different branches of the conic; it must lie '//inside_words(it))
+                'different branches of the conic; it must lie '//words)
         end if
     end subroutine explain_no_arc
 
@@ -118,41 +119,44 @@ contains
         share = to_real(shoulder_off/chord_off)
     end function share
 
-    !> The sentence on an end tangent along the chord.
-    pure function tangent_words(it, name, tangent) result(words)
-        type(triangle_type), intent(in) :: it !! a control triangle
-        character(*), intent(in) :: name      !! number of the point
-        real(dp), intent(in) :: tangent(2)    !! the tangent there
+    !> An end tangent is along the chord: `cause%tangent_on_chord`.
+    pure subroutine blame_tangent(it, name, tangent, error)
+        type(triangle_type), intent(in) :: it               !! a control triangle
+        character(*), intent(in) :: name                    !! number of the point
+        real(dp), intent(in) :: tangent(2)                  !! the tangent there
+        type(error_type), allocatable, intent(out) :: error !! always
         character(:), allocatable :: words
-        words = 'the tangent at point '//name//', slope '//slope_text(tangent)// &
+        words = 'the tangent at point '//name//', slope '//trim(slope_text(tangent))// &
             ', runs along the chord, but the shoulder point '//at_text(it%through)// &
             ' is off it; turn the tangent to the side of the shoulder point'
-        if (.not. is_flat(it)) return
-        words = words//', or put the shoulder point on the chord for a straight line'
-    end function tangent_words
+        if (is_flat(it)) words = words//', or put the shoulder point on the chord for a '// &
+            'straight line'
+        call fail(error, cause%tangent_on_chord, words)
+    end subroutine blame_tangent
 
-    !> The sentence on a shoulder point on or beyond an end tangent.
-    pure function outside_words(it, name, other, off, tangent) result(words)
-        type(triangle_type), intent(in) :: it  !! a control triangle
-        character(*), intent(in) :: name       !! number of the point whose tangent it is
-        character(*), intent(in) :: other      !! number of the other end
-        type(twofold_type), intent(in) :: off  !! shoulder point from the tangent
-        real(dp), intent(in) :: tangent(2)     !! the tangent
-        character(:), allocatable :: words
-        words = ' of the tangent at point '//name//' from point '//other
-        if (abs(to_real(off)) <= it%noise*norm2(tangent)) then
-            words = ' on the tangent at point '//name
-        else
-            words = ' on the other side'//words
-        end if
-        words = 'the shoulder point '//at_text(it%through)//' lies'//words//', slope '// &
-            slope_text(tangent)//'; it must lie '//inside_words(it)
-    end function outside_words
+    !> A shoulder point is on or beyond an end tangent: `cause%shoulder_outside`.
+    pure subroutine blame_shoulder(it, names, off, tangent, error)
+        type(triangle_type), intent(in) :: it               !! a control triangle
+        character(2), intent(in) :: names                   !! numbers of the point whose tangent
+                                                            !! it is, and of the other end
+        type(twofold_type), intent(in) :: off               !! shoulder point from the tangent
+        real(dp), intent(in) :: tangent(2)                  !! the tangent
+        type(error_type), allocatable, intent(out) :: error !! always
+        character(:), allocatable :: words, inside
+
+        words = ' on the other side of the tangent at point '//names(1:1)//' from point '//names(2:2)
+        if (abs(to_real(off)) <= it%noise*norm2(tangent)) &
+            words = ' on the tangent at point '//names(1:1)
+        call find_inside(it, inside)
+        call fail(error, cause%shoulder_outside, 'the shoulder point '//at_text(it%through)// &
+            ' lies'//words//', slope '//trim(slope_text(tangent))//'; it must lie '//inside)
+    end subroutine blame_shoulder
 
     !> Where the shoulder point belongs.
-    pure function inside_words(it) result(words)
-        type(triangle_type), intent(in) :: it !! a control triangle, no tangent along the chord
-        character(:), allocatable :: words
+    pure subroutine find_inside(it, words)
+        type(triangle_type), intent(in) :: it           !! a control triangle, no tangent along the
+                                                        !! chord
+        character(:), allocatable, intent(out) :: words !! the end of a sentence
         real(dp) :: reach
         if (abs(to_real(it%tangents)) <= it%noise*norm2(it%t1)*norm2(it%t3)) then
             words = 'between the parallel end tangents'
@@ -161,12 +165,12 @@ contains
         reach = -to_real(it%chord_off_finish/it%tangents)
         words = 'inside the triangle of points 1 and 3 and the intersection of the end '// &
             'tangents at '//at_text(it%start%point + it%size*(reach*it%t1))
-    end function inside_words
+    end subroutine find_inside
 
-    !> A direction as a slope: `0.5`, `vertical`.
+    !> A direction as a slope: `0.5`, `vertical`; blanks behind it.
     pure function slope_text(direction) result(text)
         real(dp), intent(in) :: direction(2) !! not zero
-        character(:), allocatable :: text
+        character(32) :: text
         if (abs(direction(1)) <= tiny(1.0_dp)*abs(direction(2)) .or. is_zero(direction(1))) then
             text = 'vertical'
         else

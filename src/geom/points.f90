@@ -10,7 +10,7 @@ module geom_points
     implicit none (type, external)
     private
 
-    public :: noise_of, check_distinct, are_in_line, is_in_order, has_inner_point, in_line_words
+    public :: noise_of, check_distinct, are_in_line, is_in_order, has_inner_point, find_in_line
 
 contains
 
@@ -109,10 +109,10 @@ contains
 
     !> The first three points that are in one line, in words: `points 1, A and C are in line`;
     !> nothing where there are none.
-    pure function in_line_words(points, names) result(words)
-        real(dp), intent(in) :: points(:, :) !! shape (2, number), deck units, apart
-        character(*), intent(in) :: names    !! a letter for each
-        character(:), allocatable :: words
+    pure subroutine find_in_line(points, names, words)
+        real(dp), intent(in) :: points(:, :)                !! shape (2, number), deck units, apart
+        character(*), intent(in) :: names                   !! a letter for each
+        character(:), allocatable, intent(out) :: words     !! see above
         integer :: i, j, k
 
         words = ''
@@ -126,6 +126,6 @@ contains
                 end do
             end do
         end do
-    end function in_line_words
+    end subroutine find_in_line
 
 end module geom_points

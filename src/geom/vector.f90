@@ -1,6 +1,7 @@
 !> Products of vectors in a plane, and how a point is written in a sentence.
 module geom_vector
-    use base_kinds, only: dp
+    use base_kinds, only: dp, i64
+    use base_length, only: compact_length
     use base_text, only: compact
     use geom_twofold, only: exact_product, operator(*), operator(+), operator(-), twofold_type
     implicit none (type, external)
@@ -60,7 +61,7 @@ contains
     !> A point for a sentence: `(12.5, -3.)`.
     pure function at_text(point) result(text)
         real(dp), intent(in) :: point(2) !! x and y
-        character(:), allocatable :: text
+        character(compact_length(point(1)) + compact_length(point(2)) + 4_i64) :: text
         text = '('//compact(point(1))//', '//compact(point(2))//')'
     end function at_text
 

@@ -1,5 +1,9 @@
 !> One variant: its deck read as any deck is, its bodies built, measured and held against the
 !> limits. Whatever keeps it from that is said in its row.
+!>
+!> Geometry runs in all threads at once. Reading a deck and writing sentences take turns (`critical
+!> (text)`), because the functions that do it give text of any length, whose length gfortran keeps in
+!> one place for all threads (see base_length); they take a hundredth of the time.
 module sweep_variant
     use base_decimal, only: to_real
     use base_fault, only: fault_list_type, severity
@@ -38,17 +42,19 @@ contains
         type(job_type) :: job
 
         record%number = number
+        !$omp critical (text)
         record%value = values_of(study%plan, number)
+        call read_text(variant_text(study%image, record%value), job, faults)
+        !$omp end critical (text)
         allocate (record%measure(size(study%shown)), record%has(size(study%shown)))
         record%measure = 0.0_dp
         record%has = .false.
         record%state = state%ok
         record%why = ''
-        call read_text(variant_text(study%image, record%value), job, faults)
         if (.not. faults%has_errors(0)) call build_bodies(job, bodies, faults)
         if (faults%has_errors(0)) then
             record%state = state%fault
-            record%why = first_error(faults)
+            call find_first_error(faults, record%why)
             return
         end if
         call check_components(job, bodies, record)
@@ -75,9 +81,9 @@ contains
     end subroutine build_bodies
 
     !> The first error in words.
-    pure function first_error(faults) result(words)
-        type(fault_list_type), intent(in) :: faults !! with at least one
-        character(:), allocatable :: words
+    pure subroutine find_first_error(faults, words)
+        type(fault_list_type), intent(in) :: faults     !! with at least one
+        character(:), allocatable, intent(out) :: words !! where it stands, and what it is
         integer :: i, more
 
         words = ''
@@ -95,7 +101,7 @@ contains
             end associate
         end do
         if (more > 0) words = words//' (and '//to_text(more)//' more)'
-    end function first_error
+    end subroutine find_first_error
 
     !> Looks how clear the components are; CHECK cards are limits.
     subroutine check_components(job, bodies, record)

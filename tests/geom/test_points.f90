@@ -2,7 +2,7 @@
 program test_points
     use base_error, only: cause, error_type
     use base_kinds, only: dp
-    use geom_points, only: are_in_line, check_distinct, has_inner_point, in_line_words, &
+    use geom_points, only: are_in_line, check_distinct, has_inner_point, find_in_line, &
         is_in_order, &
         noise_of
     use support_tap, only: tap_type
@@ -39,9 +39,9 @@ program test_points
     call tap%ok(.not. has_inner_point(points([real(dp) :: 0, 0, 4, 0, 0, 4, 3, 3])), 'or outside')
     call tap%ok(has_inner_point(points([real(dp) :: 1, 1, 0, 0, 4, 0, 9, 9, 0, 4])), &
         'of any three of five')
-    call tap%same(in_line_words(points([real(dp) :: 0, 0, 1, 5, 2, 2, 3, 3]), '1AB3'), &
+    call tap%same(words_of(points([real(dp) :: 0, 0, 1, 5, 2, 2, 3, 3]), '1AB3'), &
         'points 1, B and 3 are in line', 'three in line are named')
-    call tap%same(in_line_words(points([real(dp) :: 0, 0, 1, 5, 2, 2, 3, 4]), '1AB3'), '', &
+    call tap%same(words_of(points([real(dp) :: 0, 0, 1, 5, 2, 2, 3, 4]), '1AB3'), '', &
         'nothing is where none are')
     call tap%finish()
 
@@ -53,5 +53,13 @@ contains
         real(dp) :: points(2, size(coordinates)/2)
         points = reshape(coordinates, shape(points))
     end function points
+
+    !> The words of `find_in_line`.
+    function words_of(points, names) result(words)
+        real(dp), intent(in) :: points(:, :)
+        character(*), intent(in) :: names
+        character(:), allocatable :: words
+        call find_in_line(points, names, words)
+    end function words_of
 
 end program test_points
