@@ -97,6 +97,7 @@ contains
             names(i) = field(i)%name
         end do
         if (found == 0) then
+            if (looks_like_number(text)) names = ''
             call blame(card, from, 'the card before has no field '//text//suggestion(text, names), &
                 faults)
             return

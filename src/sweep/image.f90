@@ -4,7 +4,7 @@ module sweep_image
     use base_decimal, only: to_real
     use base_kinds, only: dp, i64
     use base_text, only: row_of
-    use deck_body_card, only: field_type, field_width
+    use deck_body_card, only: field_type
     use deck_sweep, only: target_type
     use sweep_figure, only: field_figure
     implicit none (type, external)
@@ -95,7 +95,7 @@ contains
         character(*), intent(in) :: figure                  !! the number
         character(:), allocatable, intent(inout) :: text    !! the deck so far
         type(field_type) :: place
-        integer :: line, begin, finish, ended
+        integer :: line, begin, finish
 
         place = target%of%field(target%field)
         line = int(target%of%sheet(place%sheet)%line)
@@ -105,13 +105,9 @@ contains
             text = text(:begin - 1)//figure//text(finish + 1:)
             return
         end if
-        ended = min(finish, image%last(line))
-        if (ended == image%last(line)) then
-            text = text(:begin - 1)//figure//text(ended + 1:)
-        else
-            text = text(:begin - 1)//figure//row_of(' ', field_width - len(figure))// &
-                text(finish + 1:)
-        end if
+        finish = min(finish, image%last(line))
+        text = text(:begin - 1)//figure//row_of(' ', finish - begin + 1 - len(figure))// &
+            text(finish + 1:)
     end subroutine put_figure
 
     !> True for a card with commas between its fields.

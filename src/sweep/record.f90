@@ -161,7 +161,7 @@ contains
         is_sound = verify(text, '0123456789+-.e') == 0
         if (.not. is_sound) return
         read (text, *, iostat=trouble) number
-        is_sound = trouble == 0
+        is_sound = trouble == 0 .and. abs(number) <= huge(number)
     end subroutine take_number
 
     !> Takes state, front and why.
@@ -181,9 +181,10 @@ contains
         text = row(next:)
         record%why = ''
         if (len(text) == 0) return
-        is_sound = is_sound .and. len(text) > 2 .and. index(text, '"') == 1 .and. &
-            index(text, '"', back=.true.) == len(text)
-        if (is_sound) record%why = unquoted(text(2:len(text) - 1))
+        is_sound = is_sound .and. len(text) > 2
+        if (.not. is_sound) return
+        record%why = unquoted(text(2:len(text) - 1))
+        is_sound = quoted(record%why) == text
     end subroutine take_state
 
     !> A text with one quote for two.

@@ -1,0 +1,39 @@
+!> Gaps of sections, said of their cards.
+program test_gap_faults
+    use base_fault, only: fault_list_type
+    use body_body, only: body_type
+    use body_build, only: build_body
+    use body_gap_faults, only: report_gaps
+    use body_ledger, only: joint_type
+    use deck_job, only: job_type
+    use support_job_deck, only: job_of, words_of
+    use support_tap, only: tap_type
+    implicit none (type, external)
+
+    type(tap_type) :: tap
+
+    call tap%same(gaps_of('4.'), '', 'a section without gaps')
+    call tap%has(gaps_of('6.'), '10:9-10 error: no conic from STA 0. to 10.: ', &
+        'a shoulder point outside of its triangle')
+    call tap%finish()
+
+contains
+
+    !> What is wrong with a section whose shoulder point is at WL 4 and some BL; its corner is at 5.
+    function gaps_of(breadth) result(words)
+        character(*), intent(in) :: breadth
+        character(:), allocatable :: words
+        type(job_type) :: job
+        type(body_type) :: body
+        type(joint_type), allocatable :: joints(:)
+        type(fault_list_type) :: faults
+        call job_of('LINE,TOP,SIDE|STRAIGHT,0.,5.,10.,5.|LINE,SHL,SIDE|STRAIGHT,0.,4.,10.,4.|'// &
+            'LINE,SHL,PLAN|STRAIGHT,0.,'//breadth//',10.,'//breadth//'|LINE,MHB,SIDE,0.|'// &
+            'LINE,MHB,PLAN|STRAIGHT,0.,5.,10.,5.|SECTION,UP,TOP,SHL,MHB,0.,999.999|STATION,1', &
+            job, faults)
+        call build_body(job, 1, body, joints, faults)
+        call report_gaps(job%body(1), body, faults)
+        words = words_of(faults)
+    end function gaps_of
+
+end program test_gap_faults
