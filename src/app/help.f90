@@ -32,14 +32,16 @@ contains
             call print_export(out)
         case ('audit')
             call print_audit(out)
+        case ('sweep')
+            call print_sweep(out)
         case ('cards')
             call print_card_reference(out)
         case ('help')
-            call out%lines([character(68) :: 'loft help [TOPIC]', '', &
-                'TOPIC is run, check, plot, export, audit or cards; none is the overview.'])
+            call out%lines([character(80) :: 'loft help [TOPIC]', '', &
+                'TOPIC is run, check, plot, export, audit, sweep or cards; none is the overview.'])
         case default
             call fail(error, cause%usage, 'no help on '''//topic// &
-                '''; topics: run check plot export audit cards')
+                '''; topics: run check plot export audit sweep cards')
         end select
     end subroutine print_help
 
@@ -59,7 +61,8 @@ contains
             '  loft plot [OPTIONS] DECK       pictures, by gnuplot', &
             '  loft export [OPTIONS] DECK     patterns, CAD files, meshes, NC programs', &
             '  loft audit [OPTIONS] DECK      printed tables back to their lines', &
-            '  loft help [TOPIC]              run, check, plot, export, audit or cards', &
+            '  loft sweep [OPTIONS] DECK      many variants, the best of them', &
+            '  loft help [TOPIC]              a command, or cards', &
             '  loft --version', '', &
             'A DECK of - is standard input; run reads it too where no deck is named.', '', &
             'Exit status: 0 all done; 1 some card was in error, the others ran; 2 the', &
@@ -117,6 +120,27 @@ contains
             'Without gnuplot the data and scripts are written all the same.'])
     end subroutine print_plot
 
+    !> Prints the help on `loft sweep`.
+    subroutine print_sweep(out)
+        type(output_type), intent(inout) :: out !! where it goes
+        call out%lines([character(80) :: &
+            'loft sweep [-o FILE] [--resume] [--plot] [--variant N] DECK', '', &
+            'Computes the variants of a body deck that its SWEEP and VARY cards make, measures', &
+            'what its OBJECT and LIMIT cards name, and prints one row each as CSV: variant,', &
+            'variables, measures, state (ok, limit or fault), front (1 on the Pareto front),', &
+            'why. A summary with the front and the best variant follows.', '', &
+            '  -o FILE         rows go to FILE, the deck of the best to FILE.best.crd, the', &
+            '                  summary to standard output. While it runs, what is finished', &
+            '                  stands in FILE.partial', &
+            '  --resume        goes on with a sweep that was stopped, however that was', &
+            '  --plot          draws all variants and the front, by gnuplot', &
+            '  --variant N     prints the deck of variant N, to FILE with -o; nothing else', &
+            '', &
+            'It uses all cores; OMP_NUM_THREADS says how many. Over many machines:', &
+            '    mpirun -n N loft-mpi sweep DECK -o FILE', &
+            'The result is the same, byte for byte. Exit status 1 where a card is in error or', &
+            'no variant keeps all limits.'])
+    end subroutine print_sweep
 
     !> Prints the help on `loft audit`.
     subroutine print_audit(out)

@@ -1,7 +1,8 @@
-!> The journal of a sweep: `FILE.partial`, to which each variant is written as a whole row the moment
-!> it is finished, in whatever order that is. It stays when LOFT is stopped or killed; `--resume`
-!> reads it and goes on. A last row that was torn is cut off and computed again. When all variants
-!> are done the result is written anew, in order, under its own name, and the journal is removed.
+!> The journal of a sweep: `FILE.partial`, to which each variant is written as a whole row the
+!> moment it is finished, in whatever order that is. It stays when LOFT is stopped or killed;
+!> `--resume` reads it and goes on. A last row that was torn is cut off and computed again. When all
+!> variants are done the result is written anew, in order, under its own name, and the journal is
+!> removed.
 module app_journal
     use, intrinsic :: iso_c_binding, only: c_associated, c_int, c_int64_t, c_null_ptr, c_ptr
     use app_progress, only: tell_progress
@@ -155,7 +156,8 @@ contains
 
         call read_row(row, study, record, is_sound)
         if (.not. is_sound) then
-            call fail(error, cause%file_trouble, 'no row of this sweep; remove the line, and its '// &
+            call fail(error, cause%file_trouble, 'no row of this sweep; remove the line, and '// &
+                'its '// &
                 'variant is computed again')
             return
         end if

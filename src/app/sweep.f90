@@ -164,7 +164,8 @@ contains
         if (result%is_file) then
             call journal%open(result%name, study, is_resumed, error)
         else if (is_resumed) then
-            call fail(error, cause%usage, '--resume goes with -o FILE, a regular file: beside it, '// &
+            call fail(error, cause%usage, '--resume goes with -o FILE, a regular file: beside '// &
+                'it, '// &
                 'in FILE.partial, stands what was done')
         end if
     end subroutine open_journal

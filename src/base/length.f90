@@ -2,9 +2,9 @@
 !>
 !> gfortran keeps the length of a text that a function makes as it goes in one place for all threads
 !> (`slen`, a static variable of the caller), so that two threads may not call such a function from
-!> one line at the same time. A result whose length is declared by these functions has no such place.
-!> They stand in a module of their own because a length may not be declared by a function of the same
-!> module.
+!> one line at the same time. A result whose length is declared by these functions has no such
+!> place. They stand in a module of their own because a length may not be declared by a function of
+!> the same module.
 module base_length
     use base_exact, only: is_zero
     use base_kinds, only: dp, i64

@@ -111,7 +111,8 @@ contains
     pure function counted(number, noun) result(text)
         integer(i64), intent(in) :: number !! how many
         character(*), intent(in) :: noun   !! what, in the singular; the plural adds an s
-        character(places(number) + 1_i64 + len(noun, i64) + merge(0_i64, 1_i64, number == 1)) :: text
+        character(places(number) + 1_i64 + len(noun, i64) + merge(0_i64, 1_i64, number == &
+            1)) :: text
         text = long_text(number)//' '//noun
         if (number /= 1) text = long_text(number)//' '//noun//'s'
     end function counted

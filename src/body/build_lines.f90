@@ -128,7 +128,8 @@ contains
     !> The range of a view that is no constant, in words.
     pure function range_words(chain) result(words)
         type(chain_type), intent(in) :: chain !! any chain with ends
-        character(9_i64 + compact_length(chain_from(chain)) + compact_length(chain_to(chain))) :: words
+        character(9_i64 + compact_length(chain_from(chain)) + &
+            compact_length(chain_to(chain))) :: words
         words = 'from '//compact(chain_from(chain))//' to '//compact(chain_to(chain))
     end function range_words
 

@@ -22,7 +22,7 @@ module cut_measure_body
     implicit none (type, external)
     private
 
-    public :: body_measure_type, measure_body, stops_of
+    public :: body_measure_type, measure_body, measure_whole, stops_of
 
     !> What a body measures, both halves of a symmetric one. What does not exist is marked absent.
     type :: body_measure_type
@@ -68,6 +68,14 @@ contains
         type(body_type), intent(in) :: body             !! finished
         real(dp), intent(in) :: stations(:)             !! wanted in the area curve, in any order
         type(body_measure_type), intent(out) :: measure !! what there is
+        call measure_whole(body, measure)
+        if (measure%from < measure%to) call draw_curve(body, stations, measure)
+    end subroutine measure_body
+
+    !> Measures a body without its area curve, which is left empty.
+    pure subroutine measure_whole(body, measure)
+        type(body_type), intent(in) :: body             !! finished
+        type(body_measure_type), intent(out) :: measure !! what there is
         type(error_type), allocatable :: error
         real(dp), allocatable :: stops(:)
 
@@ -79,7 +87,6 @@ contains
         end if
         measure%from = stops(1)
         measure%to = stops(size(stops))
-        call draw_curve(body, stations, measure)
         call find_no_volume(body, stops, measure%why)
         measure%has_volume = len(measure%why) == 0
         call add_slices(body, stops, measure, error)
@@ -89,7 +96,7 @@ contains
             measure%why = error%message
         end if
         if (measure%has_volume) deallocate (measure%why)
-    end subroutine measure_body
+    end subroutine measure_whole
 
     !> The stations where a section of a body begins, joins or ends, in order, each once.
     pure function stops_of(body) result(stops)

@@ -58,7 +58,8 @@ module deck_body_sweep_fields
         'least value; blank: not limited there'), &
         body_field_type(card%limit_measure, 4, 'TO', form%number, need%optional, 'its own', &
         'greatest value; blank: not limited there'), &
-        body_field_type(card%limit_measure, 5, 'OF', form%either, need%optional, 'none', of_words), &
+        body_field_type(card%limit_measure, 5, 'OF', form%either, need%optional, 'none', &
+        of_words), &
         body_field_type(card%limit_measure, 6, 'AT', form%number, need%optional, 'deck unit', &
         at_words), &
         body_field_type(card%limit_measure, 7, 'NAME', form%name, need%optional, 'none', &

@@ -16,7 +16,8 @@ module deck_job_list
     !> Puts an item at the end of a list that holds `count` of them.
     interface append
         module procedure append_body, append_line, append_piece, append_section, append_cut, &
-            append_check, append_outline, append_patch, append_duct, append_variable, append_target, &
+            append_check, append_outline, append_patch, append_duct, append_variable, &
+            append_target, &
             append_wanted
     end interface append
 

@@ -39,7 +39,8 @@ contains
         integer :: before, first
 
         if (.not. allocated(state%before%sheet)) then
-            call blame(card, 1, 'VARY without a card before it; it stands right behind the card '// &
+            call blame(card, 1, 'VARY without a card before it; it stands right behind the '// &
+                'card '// &
                 'it varies', faults)
             return
         end if
@@ -155,11 +156,13 @@ contains
         variable%is_list = kind == body_card%vary_list
         variable%name = text_of(field_text(item%card, merge(4, 3, variable%is_list)))
         if (item%variable > 0) call blame(item%card, merge(4, 3, variable%is_list), &
-            'a second variable '//trim(variable%name)//'; VARY TIED lets this field go with the '// &
+            'a second variable '//trim(variable%name)//'; VARY TIED lets this field go with '// &
+            'the '// &
             'first', faults)
         do i = 1, state%wanted
             if (state%job%sweep%wanted(i)%name == variable%name) call blame(item%card, &
-                merge(4, 3, variable%is_list), trim(variable%name)//' is the name of a measure; '// &
+                merge(4, 3, variable%is_list), trim(variable%name)//' is the name of a '// &
+                'measure; '// &
                 'columns have different names', faults)
         end do
         if (variable%is_list) then

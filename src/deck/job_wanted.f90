@@ -53,7 +53,8 @@ contains
                 'LATIN; values are counted on VARY cards', faults)
         end if
         if (is_filled(card, 4) .and. &
-            (real_in(card, 4) < 0.0_dp .or. real_in(card, 4) > real(huge(0), dp))) call blame(card, &
+            (real_in(card, 4) < 0.0_dp .or. real_in(card, 4) > real(huge(0), &
+            dp))) call blame(card, &
             4, 'SEED is from 0 to '//to_text(huge(0)), faults)
         if (faults%has_errors(before)) return
         associate (sweep => state%job%sweep)

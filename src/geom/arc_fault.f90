@@ -144,7 +144,8 @@ contains
         type(error_type), allocatable, intent(out) :: error !! always
         character(:), allocatable :: words, inside
 
-        words = ' on the other side of the tangent at point '//names(1:1)//' from point '//names(2:2)
+        words = ' on the other side of the tangent at point '//names(1:1)//' from '// &
+            'point '//names(2:2)
         if (abs(to_real(off)) <= it%noise*norm2(tangent)) &
             words = ' on the tangent at point '//names(1:1)
         call find_inside(it, inside)

@@ -7,7 +7,7 @@ module sweep_measure
     use body_ledger, only: is_broken, joint_type
     use cut_clearance, only: clearance_type
     use cut_measure, only: measure_section, section_measure_type
-    use cut_measure_body, only: body_measure_type, measure_body
+    use cut_measure_body, only: body_measure_type, measure_whole
     use cut_offsets, only: half_breadths, heights, offset_table_type
     use deck_sweep, only: measure, wanted_type
     implicit none (type, external)
@@ -43,15 +43,14 @@ contains
         type(measured_type), intent(inout) :: measured  !! the body; keeps what was integrated
         type(wanted_type), intent(in) :: wanted         !! which measure
         type(value_type), intent(out) :: value          !! its value
-        real(dp), parameter :: no_stations(0) = [real(dp) :: ]
 
         if (needs_measures(wanted%measure) .and. .not. measured%has_whole) then
-            call measure_body(measured%body, no_stations, measured%whole)
+            call measure_whole(measured%body, measured%whole)
             measured%has_whole = .true.
         end if
         select case (wanted%measure)
         case (measure%volume, measure%wetted, measure%centroid)
-            call measure_whole(measured%whole, wanted%measure, value)
+            call take_whole(measured%whole, wanted%measure, value)
         case (measure%area, measure%girth)
             call measure_at(measured%body, to_real(wanted%sta), wanted%measure, value)
         case (measure%width, measure%height)
@@ -67,7 +66,7 @@ contains
     end subroutine measure_of
 
     !> Volume, wetted area, station of the centroid.
-    pure subroutine measure_whole(whole, kind, value)
+    pure subroutine take_whole(whole, kind, value)
         type(body_measure_type), intent(in) :: whole    !! of the body
         integer, intent(in) :: kind                     !! which of them
         type(value_type), intent(inout) :: value        !! gets it
@@ -79,7 +78,7 @@ contains
             value%number = merge(whole%volume, whole%centroid(1), kind == measure%volume)
             if (.not. whole%has_volume) value%why = whole%why
         end if
-    end subroutine measure_whole
+    end subroutine take_whole
 
     !> Area or girth of the section at a station.
     pure subroutine measure_at(body, sta, kind, value)

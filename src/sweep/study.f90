@@ -57,7 +57,8 @@ contains
             if (opening%kind == deck_kind_of%body) then
                 call read_job(source, opening%heading, job, faults, error)
             else
-                call faults%add(new_fault(severity%error, 0, 0, 'no body deck; loft sweep takes '// &
+                call faults%add(new_fault(severity%error, 0, 0, &
+                    'no body deck; loft sweep takes '// &
                     'decks with lines, sections and VARY cards (see loft help cards)'))
             end if
         end if

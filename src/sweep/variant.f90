@@ -2,8 +2,8 @@
 !> limits. Whatever keeps it from that is said in its row.
 !>
 !> Geometry runs in all threads at once. Reading a deck and writing sentences take turns (`critical
-!> (text)`), because the functions that do it give text of any length, whose length gfortran keeps in
-!> one place for all threads (see base_length); they take a hundredth of the time.
+!> (text)`), because the functions that do it give text of any length, whose length gfortran keeps
+!> in one place for all threads (see base_length); they take a small part of the time.
 module sweep_variant
     use base_decimal, only: to_real
     use base_fault, only: fault_list_type, severity
@@ -12,6 +12,7 @@ module sweep_variant
     use base_tolerances, only: decimal_noise, ulp
     use body_build, only: build_body
     use body_build_panels, only: build_panels
+    use body_duct, only: build_ducts, duct_type
     use body_gap_faults, only: report_gaps
     use body_outline, only: build_outlines, outline_type
     use body_panel, only: panel_type
@@ -69,6 +70,7 @@ contains
         type(fault_list_type), intent(inout) :: faults              !! what is wrong is added
         type(panel_type), allocatable :: panels(:)
         type(outline_type), allocatable :: outlines(:)
+        type(duct_type), allocatable :: ducts(:)
         integer :: i
 
         allocate (bodies(size(job%body)))
@@ -77,6 +79,7 @@ contains
             call report_gaps(job%body(i), bodies(i)%body, faults)
             call build_panels(job, i, bodies(i)%body, panels, faults)
             call build_outlines(job%body(i), outlines, faults)
+            call build_ducts(job%body(i), outlines, ducts, faults)
         end do
     end subroutine build_bodies
 

@@ -9,7 +9,8 @@ program test_length
     type(tap_type) :: tap
     real(dp), parameter :: number(*) = [0.0_dp, 7.0_dp, -0.001_dp, 12.5_dp, 3.0e20_dp, -1.0e-5_dp, &
         1234567.125_dp, -9999999.9_dp, 1.0e-300_dp]
-    character(12), parameter :: text(*) = [character(12) :: '0.', '7.', '-0.001', '12.5', '3.E+20', &
+    character(12), parameter :: text(*) = [character(12) :: '0.', '7.', '-0.001', '12.5', &
+        '3.E+20', &
         '-1.E-05', '1234567.125', '-9999999.9', '1.E-300']
     integer :: i
 

@@ -24,7 +24,8 @@ contains
     subroutine sound()
         type(job_type) :: job
         type(fault_list_type) :: faults
-        call job_of(body_text//'LINE,A,SIDE|* a remark|0,0,.1,5,1,10,1.5,0|VARY,Y2,HIGH,.5,1.5,3|'// &
+        call job_of(body_text//'LINE,A,SIDE|* a '// &
+            'remark|0,0,.1,5,1,10,1.5,0|VARY,Y2,HIGH,.5,1.5,3|'// &
             '|* another|VARY,8,END,-.1,.1|10,1.5,0,15,1,20,0,-.1|VARY,TIED,Y1,HIGH,2.,.25|'// &
             'VARY,TIED,S1,END|NOSE,1.|VARY,LIST,R,ROUND,1.,.5,2.|STATION,LIST,1.,2.,3.|'// &
             'VARY,5,STA,2.,4.,2', job, faults)
@@ -32,10 +33,12 @@ contains
         associate (sweep => job%sweep)
             call tap%ok(size(sweep%variable) == 4 .and. size(sweep%target) == 6, &
                 'four variables in six fields')
-            call tap%ok(all(sweep%variable%name == [character(8) :: 'HIGH', 'END', 'ROUND', 'STA']), &
+            call tap%ok(all(sweep%variable%name == [character(8) :: 'HIGH', 'END', 'ROUND', &
+                'STA']), &
                 'in the order of the cards')
             call tap%ok(all(sweep%variable%count == [3, 0, 3, 2]), 'with their counts')
-            call tap%ok(all(sweep%target%field == [5, 8, 2, 3, 2, 5]), 'fields by name and by count')
+            call tap%ok(all(sweep%target%field == [5, 8, 2, 3, 2, 5]), &
+                'fields by name and by count')
             call tap%ok(all(sweep%target%variable == [1, 2, 1, 2, 3, 4]), 'and their variables')
             call tap%near(to_real(sweep%target(3)%factor), 2.0_dp, 0.0_dp, 'a factor')
             call tap%near(to_real(sweep%target(3)%add), 0.25_dp, 0.0_dp, 'what is added')
@@ -67,11 +70,13 @@ contains
             'the word of a card')
         call same('LINE,A,SIDE,MHB|VARY,FROM,A,1.,2.,2', '9:6-9 error: field FROM of the card '// &
             'before holds no number; put one there, which loft run takes|', 'a name')
-        call same('SECTION,S,TOP,SHL,MHB,0.,0.|VARY,LINE1,A,1.,2.,2', '9:6-10 error: field LINE1 '// &
+        call same('SECTION,S,TOP,SHL,MHB,0.,0.|VARY,LINE1,A,1.,2.,2', &
+            '9:6-10 error: field LINE1 '// &
             'of the card before is not for a number that can be varied|', 'a field for names')
         call same('DIGITS,3|VARY,N,A,1.,2.,2', '9:6-6 error: field N of the card before is not '// &
             'for a number that can be varied|', 'a whole number')
-        call same('BUTTOCK,1.,0.,5.,1.|VARY,NAME,A,1.,2.,2', '9:6-9 error: field NAME of the card '// &
+        call same('BUTTOCK,1.,0.,5.,1.|VARY,NAME,A,1.,2.,2', '9:6-9 error: field NAME of the '// &
+            'card '// &
             'before is not for a number that can be varied|', 'a name that may be blank')
         call same(line//'VARY,Y2,A,2.,1.,2', &
             '10:11-12 error: FROM is above TO; the least value stands first|', 'from above to')
@@ -81,21 +86,27 @@ contains
             '10:17-17 error: COUNT is 2 or more: FROM and TO are among the values|', 'no values')
         call same(line//'VARY,Y2,A,1.,2.,1000001', '10:17-23 error: COUNT is at most 1000000|', &
             'too many values')
-        call same(line//'VARY,Y2,A,1.,2.,2.5', '10:18-18 error: COUNT: a point in a whole number|', &
+        call same(line//'VARY,Y2,A,1.,2.,2.5', '10:18-18 error: COUNT: a point in a whole '// &
+            'number|', &
             'half a value')
-        call same(line//'VARY,Y2,A,1.', '10:13-13 error: TO is missing: greatest value (zero is '// &
+        call same(line//'VARY,Y2,A,1.', '10:13-13 error: TO is missing: greatest value (zero '// &
+            'is '// &
             'written 0.)|', 'half a range')
         call same(line//'VARY,Y2,A,1.,2.,2|VARY,Y2,B,1.,2.,2', &
             '11:6-7 error: a second VARY of field Y2|', 'a field twice')
-        call same(line//'VARY,Y2,A,1.,2.,2|VARY,Y3,A,1.,2.,2', '11:9-9 error: a second variable '// &
+        call same(line//'VARY,Y2,A,1.,2.,2|VARY,Y3,A,1.,2.,2', &
+            '11:9-9 error: a second variable '// &
             'A; VARY TIED lets this field go with the first|', 'a variable twice')
-        call same(line//'VARY,TIED,Y2,A|VARY,Y3,A,1.,2.,2', '10:14-14 error: no VARY card before '// &
+        call same(line//'VARY,TIED,Y2,A|VARY,Y3,A,1.,2.,2', &
+            '10:14-14 error: no VARY card before '// &
             'has a variable A, with which this field could go|', 'tied to nothing')
-        call same(line//'OBJECT,VOLUME,MAX|VARY,WHAT,A,1.,2.,2', '11:6-9 error: field WHAT of the '// &
+        call same(line//'OBJECT,VOLUME,MAX|VARY,WHAT,A,1.,2.,2', &
+            '11:6-9 error: field WHAT of the '// &
             'card before is not for a number that can be varied|', 'a card of the sweep itself')
         call same('NOSE,1.5.|VARY,R,A,1.,2.,2', &
             '8:9-9 error: R: a second point in the number|', 'a card in error is not blamed twice')
-        call same('VARY,LIST,FROM,A', '8:17-17 error: VALUE is missing: the values, in this field '// &
+        call same('VARY,LIST,FROM,A', '8:17-17 error: VALUE is missing: the values, in this '// &
+            'field '// &
             'and all that follow (zero is written 0.)|', 'an empty list')
         call tap%has(faults_of('1. 2. 3. 4. 5. 6. 7. 8.|VARY,X1,A,1.,2.,2'), 'error', &
             'no VARY in a deck of 1970')

@@ -16,6 +16,7 @@ program test_job_wanted
 
     call sound()
     call refusals()
+    call more_refusals()
     call tap%ok(is_measure('VOLUME') .and. is_measure('VOLUM') .and. .not. is_measure('STA') .and. &
         .not. is_measure('NONE') .and. .not. is_measure(''), 'measures are known, also misspelt')
     call tap%ok(size(words_in(measure_words)) == measure%break, 'each has its word')
@@ -32,16 +33,19 @@ contains
             job, faults)
         call tap%same(words_of(faults), '', 'cards of two bodies')
         associate (sweep => job%sweep)
-            call tap%ok(sweep%method == method%latin .and. sweep%count == 50 .and. sweep%seed == 7, &
+            call tap%ok(sweep%method == method%latin .and. sweep%count == 50 .and. sweep%seed == &
+                7, &
                 'how variants are made')
             call tap%ok(size(sweep%wanted) == 4, 'LIMIT of an axis is no measure')
             call tap%ok(job%body(1)%cut(1)%limit(2)%has_from, 'it limits the cuts')
-            call tap%ok(all(sweep%wanted%body == [1, 1, 2, 2]), 'a measure is of the body it stands in')
+            call tap%ok(all(sweep%wanted%body == [1, 1, 2, 2]), &
+                'a measure is of the body it stands in')
             call tap%ok(all(sweep%wanted%measure == [measure%volume, measure%clear, measure%width, &
                 measure%jump]), 'which measures')
             call tap%ok(all(sweep%wanted%goal == [goal%most, goal%near, goal%range, goal%least]), &
                 'what is wanted of them')
-            call tap%ok(all(sweep%wanted%name == [character(8) :: 'VOLUME', 'ROOM', 'WIDTH', 'JUMP']), &
+            call tap%ok(all(sweep%wanted%name == [character(8) :: 'VOLUME', 'ROOM', 'WIDTH', &
+                'JUMP']), &
                 'names of columns')
             call tap%near(to_real(sweep%wanted(2)%value), 2.0_dp, 0.0_dp, 'the value to be near to')
             call tap%ok(sweep%wanted(2)%of == 'SEAT' .and. sweep%wanted(4)%of == 'SHL', &
@@ -59,14 +63,17 @@ contains
     end subroutine same
 
     subroutine refusals()
-        call same('LIMIT,VOLUM,1.', '8:7-11 error: WHAT is VOLUME, WETTED, CENTROID, AREA, GIRTH, '// &
+        call same('LIMIT,VOLUM,1.', '8:7-11 error: WHAT is VOLUME, WETTED, CENTROID, AREA, '// &
+            'GIRTH, '// &
             'WIDTH, HEIGHT, CLEAR, JUMP or BREAK, not VOLUM; did you mean VOLUME?|', &
             'a measure misspelt')
         call same('LIMIT,XYZ,1.', '8:7-9 error: AXIS is STA, BL, WL or NONE, not XYZ|', &
             'neither axis nor measure')
-        call same('OBJECT,VOLUME,LARGE', '8:15-19 error: GOAL is MIN, MAX, NEAR or SHOW, not LARGE|', &
+        call same('OBJECT,VOLUME,LARGE', '8:15-19 error: GOAL is MIN, MAX, NEAR or SHOW, not '// &
+            'LARGE|', &
             'another goal')
-        call same('OBJECT,VOLUME,NEAR', '8:19-19 error: VALUE goes with NEAR, and NEAR with VALUE: '// &
+        call same('OBJECT,VOLUME,NEAR', '8:19-19 error: VALUE goes with NEAR, and NEAR with '// &
+            'VALUE: '// &
             'the value to come near to|', 'near to what')
         call same('OBJECT,VOLUME,MAX,1.', '8:19-20 error: VALUE goes with NEAR, and NEAR with '// &
             'VALUE: the value to come near to|', 'a value without NEAR')
@@ -86,28 +93,38 @@ contains
             'mean SHL?|', 'no such line')
         call same('OBJECT,JUMP,MIN,,1.', '8:18-19 error: OF of JUMP is a name, or blank: all|', &
             'a line by number')
-        call same('LIMIT,VOLUME', '8:13-13 error: FROM and TO are missing; one of them at least is '// &
+    end subroutine refusals
+
+    subroutine more_refusals()
+        call same('LIMIT,VOLUME', '8:13-13 error: FROM and TO are missing; one of them at '// &
+            'least is '// &
             'a limit|', 'no limit')
-        call same('LIMIT,VOLUME,2.,1.', '8:14-15 error: FROM is above TO; nothing is between them|', &
+        call same('LIMIT,VOLUME,2.,1.', '8:14-15 error: FROM is above TO; nothing is between '// &
+            'them|', &
             'limits crossed')
-        call same('OBJECT,AREA,MAX,,1.|OBJECT,AREA,MAX,,2.', '9:20-20 error: another measure has '// &
+        call same('OBJECT,AREA,MAX,,1.|OBJECT,AREA,MAX,,2.', '9:20-20 error: another measure '// &
+            'has '// &
             'the column AREA; NAME gives this one its own|', 'two columns of one name')
         call same('OBJECT,AREA,MAX,,1.|LIMIT,AREA,1.,,1.', '', 'one measure, one column')
-        call same('NOSE,1.|VARY,R,VOLUME,1.,2.,2|OBJECT,VOLUME,MAX', '10:18-18 error: VOLUME is '// &
+        call same('NOSE,1.|VARY,R,VOLUME,1.,2.,2|OBJECT,VOLUME,MAX', &
+            '10:18-18 error: VOLUME is '// &
             'the name of a variable; columns have different names|', 'a column and a variable')
-        call same('OBJECT,VOLUME,MAX|NOSE,1.|VARY,R,VOLUME,1.,2.,2', '10:8-13 error: VOLUME is the '// &
+        call same('OBJECT,VOLUME,MAX|NOSE,1.|VARY,R,VOLUME,1.,2.,2', &
+            '10:8-13 error: VOLUME is the '// &
             'name of a measure; columns have different names|', 'a variable and a column')
-        call same('SWEEP,LATIN', '8:12-12 error: COUNT is missing: a Latin hypercube of how many '// &
+        call same('SWEEP,LATIN', '8:12-12 error: COUNT is missing: a Latin hypercube of how '// &
+            'many '// &
             'variants|', 'how many')
         call same('SWEEP,LATIN,0', '8:13-13 error: the number of variants is from 1 to 1000000|', &
             'none')
-        call same('SWEEP,GRID,5', '8:12-12 error: COUNT and SEED are for SWEEP LATIN; values are '// &
+        call same('SWEEP,GRID,5', '8:12-12 error: COUNT and SEED are for SWEEP LATIN; values '// &
+            'are '// &
             'counted on VARY cards|', 'a grid of five')
         call same('SWEEP,LATIN,5,-1', '8:15-16 error: SEED is from 0 to 2147483647|', 'a bad seed')
         call same('SWEEP,GRID|SWEEP,LIST', '9:1-5 error: a second SWEEP card; a deck has one|', &
             'two ways')
         call same('SWEEP,FULL', '8:7-10 error: METHOD is GRID, LATIN or LIST, not FULL|', &
             'another way')
-    end subroutine refusals
+    end subroutine more_refusals
 
 end program test_job_wanted

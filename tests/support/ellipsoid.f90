@@ -58,8 +58,8 @@ contains
             part = '.48'
         end select
         text = '-5.,0.,999.999,-3.,1.,0.,2.,0.|VARY,TIED,Y3,'//name//','//trim(whole)// &
-            '|VARY,TIED,Y2,'//name//','//trim(part)//'|0.,2.,0.,3.,1.,5.,0.,999.999|VARY,TIED,Y1,'// &
-            name//','//trim(whole)//'|VARY,TIED,Y2,'//name//','//trim(part)//'|'
+            '|VARY,TIED,Y2,'//name//','//trim(part)//'|0.,2.,0.,3.,1.,5.,0.,999.999|'// &
+            'VARY,TIED,Y1,'//name//','//trim(whole)//'|VARY,TIED,Y2,'//name//','//trim(part)//'|'
     end function line
 
     !> The sweep of a deck that is in order.

@@ -14,6 +14,7 @@ golden_output() {
               status=$?
               without_lapack "$new.all"; rm -f "$new.all"
               return "$status" ;;
+    rows.csv) "$LOFT" sweep "$deck" 2> /dev/null ;;
     csv)      "$LOFT" run --format csv "$deck" 2> /dev/null ;;
     check)    "$LOFT" check "$deck" 2>&1 ;;
     audit.lst) "$LOFT" audit "$deck" 2> /dev/null ;;

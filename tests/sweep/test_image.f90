@@ -11,13 +11,15 @@ program test_image
     character(*), parameter :: feed = new_line('a')
     type(tap_type) :: tap
 
-    call same('LINE    A       SIDE    5.'//feed//'VARY    FROM    X       1.      2.      2'//feed, &
+    call same('LINE    A       SIDE    5.'//feed//'VARY    FROM    X       1.      2.      '// &
+        '2'//feed, &
         'LINE    A       SIDE    1.25'//feed//'VARY    FROM    X       1.      2.      2'//feed, &
         'the last field of a card is as long as its number')
     call same('* UTF-8 '//char(195)//char(164)//feed//'NOSE    7.      '//char(13)//feed// &
         'VARY    R       X       1.      2.      2', &
         '* UTF-8 '//char(195)//char(164)//feed//'NOSE    1.25    '//char(13)//feed// &
-        'VARY    R       X       1.      2.      2', 'blanks, CR LF and a last line without end stay')
+        'VARY    R       X       1.      2.      2', 'blanks, CR LF and a last line without '// &
+        'end stay')
     call same(char(239)//char(187)//char(191)//'NOSE,7.'//feed//'VARY,R,X,1.,2.,2'//feed, &
         char(239)//char(187)//char(191)//'NOSE,1.25'//feed//'VARY,R,X,1.,2.,2'//feed, &
         'a byte order mark stays')
@@ -28,12 +30,15 @@ program test_image
         'fields between commas take the room they need, several of a card')
     call same('LINE    A       SIDE'//feed//'-1.5    0.      1.      2.      3.      100.5   5.'// &
         '      6.'//feed//'VARY    X3      X       1.      2.      2'//feed// &
-        'VARY    TIED    X1      X       -99999.9'//feed//'vary    tied    s1      x       1.'//feed, &
+        'VARY    TIED    X1      X       -99999.9'//feed//'vary    tied    s1      x       '// &
+        '1.'//feed, &
         'LINE    A       SIDE'//feed//'-125000.0.      1.25    2.      3.      1.25    5.'// &
         '      6.'//feed//'VARY    X3      X       1.      2.      2'//feed// &
-        'VARY    TIED    X1      X       -99999.9'//feed//'vary    tied    s1      x       1.'//feed, &
+        'VARY    TIED    X1      X       -99999.9'//feed//'vary    tied    s1      x       '// &
+        '1.'//feed, &
         'fields by columns keep their columns, however full they are')
-    call same('LINE,A,SIDE'//feed//'FIVEPT,1,2,3,4,5,6,7,8,9'//feed//'* between'//feed//'+,10'//feed// &
+    call same('LINE,A,SIDE'//feed//'FIVEPT,1,2,3,4,5,6,7,8,9'//feed//'* '// &
+        'between'//feed//'+,10'//feed// &
         'VARY,Y3,X,1.,2.,2'//feed, 'LINE,A,SIDE'//feed//'FIVEPT,1,2,3,4,5,6,7,8,9'//feed// &
         '* between'//feed//'+,1.25'//feed//'VARY,Y3,X,1.,2.,2'//feed, &
         'a field of a continuation')

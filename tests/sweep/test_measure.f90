@@ -40,8 +40,8 @@ contains
         type(job_type) :: job
         type(fault_list_type) :: faults
         type(measured_type) :: measured
-        call job_of(body_text//'SECTION,LO,TOP,SHL,MHB,0.,999.999,0.,20.|'//lines//'STATION,1|OBJECT,'// &
-            card, job, faults)
+        call job_of(body_text//'SECTION,LO,TOP,SHL,MHB,0.,999.999,0.,20.|'//lines// &
+            'STATION,1|OBJECT,'//card, job, faults)
         if (faults%has_errors(0)) call tap%note(words_of(faults))
         job%body(1)%section = job%body(1)%section(2:)
         call build_body(job, 1, measured%body, measured%joints, faults)

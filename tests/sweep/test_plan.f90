@@ -41,7 +41,8 @@ contains
         call tap%same(said, '', 'a grid is made without a SWEEP card')
         call tap%ok(plan%count == 6, 'it has all with all')
         found = reshape([(values_of(plan, i), i = 1, 6)], [2, 6])
-        call tap%ok(all(abs(found(1, :) - [1.0_dp, 1.0_dp, 1.5_dp, 1.5_dp, 2.0_dp, 2.0_dp]) <= 0.0_dp), &
+        call tap%ok(all(abs(found(1, :) - [1.0_dp, 1.0_dp, 1.5_dp, 1.5_dp, 2.0_dp, &
+            2.0_dp]) <= 0.0_dp), &
             'the first variable changes last')
         call tap%ok(all(abs(found(2, :) - [10.0_dp, -4.5_dp, 10.0_dp, -4.5_dp, 10.0_dp, -4.5_dp]) &
             <= 0.0_dp), 'the last with every variant')
@@ -63,7 +64,8 @@ contains
         missed = 0
         do seed = 1, 20
             write (text, '(i0)') seed
-            call make('SWEEP,LATIN,97,'//text//'|'//a//b//'LINE,C,SIDE,5.|VARY,FROM,C,-30.,67.|', said)
+            call make('SWEEP,LATIN,97,'//text//'|'//a//b// &
+                'LINE,C,SIDE,5.|VARY,FROM,C,-30.,67.|', said)
             do i = 1, number
                 value(:, i) = values_of(plan, i)
             end do
@@ -98,7 +100,8 @@ contains
         call make('SWEEP,LIST|LINE,A,SIDE,5.|VARY,FROM,A,1.,2.,3|LINE,B,SIDE,1.|'// &
             'VARY,LIST,FROM,B,4.,5.,7.|', said)
         call tap%same(said, '', 'a list is made')
-        call tap%ok(plan%count == 3 .and. all(abs(values_of(plan, 2) - [1.5_dp, 5.0_dp]) <= 0.0_dp), &
+        call tap%ok(plan%count == 3 .and. all(abs(values_of(plan, 2) - [1.5_dp, &
+            5.0_dp]) <= 0.0_dp), &
             'the second variant has the second values')
         call make('SWEEP,LIST|'//a//b, said)
         call tap%has(said, 'B has 2 values, A has 3; with SWEEP LIST all have as many', &
@@ -111,10 +114,12 @@ contains
         call tap%has(said, 'no VARY card', 'nothing varies')
         call make('LINE,A,SIDE,5.|VARY,FROM,A,1.,2.|', said)
         call tap%has(said, 'COUNT is missing', 'a range without COUNT')
-        call make('LINE,A,SIDE,5.|VARY,FROM,A,1.,2.,1000|LINE,B,SIDE,5.|VARY,FROM,B,1.,2.,1001|', said)
+        call make('LINE,A,SIDE,5.|VARY,FROM,A,1.,2.,1000|'// &
+            'LINE,B,SIDE,5.|VARY,FROM,B,1.,2.,1001|', said)
         call tap%has(said, 'the grid has 1000 x 1001 = 1001000 variants, more than 1000000; '// &
             'smaller COUNTs, or SWEEP LATIN', 'a grid too large')
-        call make('LINE,A,SIDE,5.|VARY,FROM,A,1.,2.,1000|LINE,B,SIDE,5.|VARY,FROM,B,1.,2.,1000|', said)
+        call make('LINE,A,SIDE,5.|VARY,FROM,A,1.,2.,1000|'// &
+            'LINE,B,SIDE,5.|VARY,FROM,B,1.,2.,1000|', said)
         call tap%ok(plan%count == 1000000, 'the largest grid')
     end subroutine refusals
 

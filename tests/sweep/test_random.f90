@@ -53,7 +53,8 @@ program test_random
     call tap%ok(share > 0.0_dp .and. share < 1.0_dp, 'so is the largest')
 
     call shuffled(random, order)
-    call tap%ok(all([(count(order == i) == 1, i = 1, size(order))]), 'an order has each number once')
+    call tap%ok(all([(count(order == i) == 1, i = 1, size(order))]), &
+        'an order has each number once')
     call tap%ok(count([(order(i) == i, i = 1, size(order))]) < 20, 'few stay in their place')
     call tap%finish()
 end program test_random

@@ -49,7 +49,8 @@ contains
         call tap%near(wrong(3), 0.0_dp, 1.0e-12_dp, 'widths on a waterline')
         call tap%near(wrong(4), 0.0_dp, 1.0e-12_dp, 'heights on a butt line')
         call tap%near(wrong(5), 0.0_dp, 1.0e-12_dp, 'the centroid is the centre')
-        call tap%near(wrong(6), 0.0_dp, 1.0e-9_dp, 'the clearance of the centre is the least half axis')
+        call tap%near(wrong(6), 0.0_dp, 1.0e-9_dp, 'the clearance of the centre is the least '// &
+            'half axis')
     end subroutine closed_forms
 
     !> Keeps the largest relative difference.

@@ -1,0 +1,22 @@
+#!/bin/sh
+# What runs in several threads at once has no variables in one place for all of them: neither its own
+# nor those that gfortran makes for the length of a text (`slen`, see src/base/length.f90).
+cd "${ROOT:?}" || exit 1
+. tests/support/tap.sh
+
+objects=$(dirname "${LOFT:?}")
+[ -d "$objects/release" ] && objects=$objects/release
+if ! command -v nm > /dev/null || [ ! -d "$objects/src" ]; then
+    echo '1..0 # SKIP nm and the objects of the build are needed'
+    exit 0
+fi
+for object in "$objects"/src/geom/*.o "$objects"/src/body/*.o "$objects"/src/base/text.o \
+    "$objects"/src/base/length.o "$objects"/src/cut/measure*.o "$objects"/src/cut/clearance*.o \
+    "$objects"/src/cut/offsets.o; do
+    nm "$object" 2> /dev/null | awk -v object="${object##*/src/}" \
+        '$2 ~ /^[bBdDC]$/ && $3 !~ /^_?_(def_init|vtab|copy)|__def_init|__vtab|^options\.|jumptable/ { print object, $3 }'
+done > /tmp/loft-threads.$$
+[ ! -s /tmp/loft-threads.$$ ]
+ok $? 'geometry and measures keep nothing between calls' "$(cat /tmp/loft-threads.$$)"
+rm -f /tmp/loft-threads.$$
+finish
