@@ -252,10 +252,10 @@ INCLUDE  = $(DESTDIR)$(PREFIX)/include
 # Module files are the compiler's own.
 COMPILER = gfortran-$(firstword $(subst ., ,$(shell $(FC) -dumpversion)))
 
-install: $(LOFT) $(LIBLOFT)         ## installs below PREFIX (DESTDIR is put before it)
+install: $(LOFT) $(if $(MPI),$(LOFT)-mpi) $(LIBLOFT) ## installs below PREFIX (DESTDIR is put before it)
 	install -d $(DESTDIR)$(PREFIX)/bin $(SHARE)/man/man1 $(SHARE)/loft/plot $(SHARE)/loft/cards \
 	    $(SHARE)/doc/loft/doc/examples $(LIB)/pkgconfig $(INCLUDE)/loft/$(COMPILER)
-	install -m 755 $(LOFT) $(DESTDIR)$(PREFIX)/bin
+	install -m 755 $(LOFT) $(if $(MPI),$(LOFT)-mpi) $(DESTDIR)$(PREFIX)/bin
 	install -m 644 doc/loft.1 $(SHARE)/man/man1
 	install -m 644 $(filter-out plot/bench_%,$(wildcard plot/*.gp)) $(SHARE)/loft/plot
 	install -m 644 $(wildcard cards/*) $(SHARE)/loft/cards

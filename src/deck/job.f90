@@ -13,8 +13,7 @@ module deck_job
 
     public :: job_type, body_type, control_line_type, view_type, piece_type
     public :: section_type, outline_type, end_slope_type, patch_type, bound_type, cut_type
-    public :: point_rule_type, range_type, check_type
-    public :: piece_real, cut_real, check_real
+    public :: point_rule_type, range_type, check_type, piece_real, cut_real, check_real
 
     !> Characters of a name.
     integer, parameter, public :: name_length = 8
@@ -267,8 +266,7 @@ module deck_job
         character(6) :: units = 'INCHES'        !! of its numbers: INCHES, MM or FEET
         character(6) :: output = 'INCHES'       !! of the listing: INCHES, MM, FEET or FIE
         integer :: digits = 3                   !! decimals of the listing
-        integer :: page_columns = 80            !! columns of a page: 80 or 132
-        integer :: page_lines = 60              !! lines of a page
+        integer :: page_columns = 80, page_lines = 60   !! of a page: 80 or 132, and its lines
         logical :: is_symmetric = .true.        !! the body is symmetric about BL 0
         logical :: is_closed = .false.          !! sections that reach BL 0 are closed along it
         type(decimal_type) :: joint_gap         !! largest gap at a joint, deck units

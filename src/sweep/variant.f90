@@ -11,11 +11,7 @@ module sweep_variant
     use base_text, only: compact, to_text
     use base_tolerances, only: decimal_noise, ulp
     use body_build, only: build_body
-    use body_build_panels, only: build_panels
-    use body_duct, only: build_ducts, duct_type
     use body_gap_faults, only: report_gaps
-    use body_outline, only: build_outlines, outline_type
-    use body_panel, only: panel_type
     use cut_clearance, only: check_clearance
     use cut_clearance_map, only: map_type, new_map
     use deck_job, only: job_type
@@ -63,23 +59,17 @@ contains
         if (record%state /= state%fault) call check_limits(study, record)
     end subroutine compute_variant
 
-    !> Builds all bodies, and what stands by itself.
+    !> Builds all bodies. Patches, outlines and ducts, of which nothing is measured, are left out.
     subroutine build_bodies(job, bodies, faults)
         type(job_type), intent(in) :: job                           !! of the variant
         type(measured_type), allocatable, intent(out) :: bodies(:)  !! its bodies
         type(fault_list_type), intent(inout) :: faults              !! what is wrong is added
-        type(panel_type), allocatable :: panels(:)
-        type(outline_type), allocatable :: outlines(:)
-        type(duct_type), allocatable :: ducts(:)
         integer :: i
 
         allocate (bodies(size(job%body)))
         do i = 1, size(bodies)
             call build_body(job, i, bodies(i)%body, bodies(i)%joints, faults)
             call report_gaps(job%body(i), bodies(i)%body, faults)
-            call build_panels(job, i, bodies(i)%body, panels, faults)
-            call build_outlines(job%body(i), outlines, faults)
-            call build_ducts(job%body(i), outlines, ducts, faults)
         end do
     end subroutine build_bodies
 

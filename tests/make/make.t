@@ -35,6 +35,19 @@ want=$(echo "$want" | sort)
 [ "$(order)" = "$want" ]
 ok $? 'objects wait for what they use, programs are linked from what they need' "$(order)"
 
+mkdir -p mpi/geom
+printf 'module geom_arc\n use mpi_f08, only: mpi_init\n' > mpi/geom/arc.f90
+twins() {
+    awk -v objects=o -v loft=bin/loft -v twins=mpi/geom/arc.f90 -f "$scripts/modules.awk" \
+        -f "$scripts/order.awk" $(find src tests -name '*.f90' | sort) | sort
+}
+[ "$(twins | sed -n 's/^bin.loft-mpi: //p' | tr '\n' ' ')" = \
+    'o/mpi/geom/arc.o o/src/app/main.o o/src/base/kinds.o ' ]
+ok $? 'loft-mpi is linked with the twin of a module' "$(twins)"
+[ "$(twins | grep -v '^bin/loft-mpi')" = "$want" ]
+ok $? 'and nothing else changes by it' "$(twins)"
+rm -r mpi
+
 mkdir src/api
 printf 'module api_loft\n use geom_arc, only: x\n' > src/api/loft.f90
 printf 'module api_c_deck\n use api_loft, only: x\n' > src/api/c_deck.f90
