@@ -125,7 +125,7 @@ contains
         type(output_type), intent(inout) :: out !! where it goes
         call out%lines([character(80) :: &
             'loft sweep [-o FILE] [--resume] [--plot] [--variant N] DECK', '', &
-            'Computes the variants of a body deck that its SWEEP and VARY cards make, measures', &
+            'Computes the variants that SWEEP and VARY cards of a body deck make, measures', &
             'what its OBJECT and LIMIT cards name, and prints one row each as CSV: variant,', &
             'variables, measures, state (ok, limit or fault), front (1 on the Pareto front),', &
             'why. A summary with the front and the best variant follows.', '', &

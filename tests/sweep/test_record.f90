@@ -8,6 +8,7 @@ program test_record
     use sweep_study, only: study_type
     implicit none (type, external)
 
+    character(*), parameter :: quotes = '","","'
     type(tap_type) :: tap
     type(random_type) :: random
     type(study_type) :: study
@@ -38,7 +39,7 @@ program test_record
     do i = 1, 2000
         record = record_type(1 + mod(i, 4), [any_number(), any_number()], &
             [any_number(), any_number()], [.true., mod(i, 3) > 0], 1 + mod(i, 3), mod(i, 5) == 0, &
-            repeat('","', mod(i, 3)))
+            quotes(:3*mod(i, 3)))
         if (.not. record%has(2)) record%measure(2) = 0.0_dp
         row = row_of_record(record, .true.)
         call read_row(row, study, back, is_sound)
