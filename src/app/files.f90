@@ -81,7 +81,7 @@ contains
             file%name = name
             file%final = followed(name)
             facts = facts_of_file(file%final)
-            if (link_target(file%final) == '' .and. (facts%is_regular .or. .not. facts%exists)) then
+            if (can_be_replaced(name)) then
                 call begin_beside(file, facts)
             else
                 file%descriptor = c_creat(c_text(file%final), file_mode)
@@ -95,6 +95,16 @@ contains
         end if
         call out%attach(file%descriptor)
     end subroutine begin
+
+    !> True for a name that is free or a regular file's, links followed: such a result gets its name
+    !> when it is whole.
+    logical function can_be_replaced(name)
+        character(*), intent(in) :: name !! as the user gave it
+        type(file_facts_type) :: facts
+        facts = facts_of_file(followed(name))
+        can_be_replaced = link_target(followed(name)) == '' .and. &
+            (facts%is_regular .or. .not. facts%exists)
+    end function can_be_replaced
 
     !> Begins a result beside its final name, with the permissions of what has that name. What was
     !> left there by a process of the same number that was killed goes; nothing is written through.

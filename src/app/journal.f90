@@ -4,13 +4,13 @@
 !> variants are done the result is written anew, in order, under its own name, and the journal is
 !> removed.
 module app_journal
-    use, intrinsic :: iso_c_binding, only: c_associated, c_int, c_int64_t, c_null_ptr, c_ptr
+    use, intrinsic :: iso_c_binding, only: c_associated, c_int, c_null_ptr, c_ptr
     use app_progress, only: tell_progress
     use app_whole_file, only: read_whole
     use base_error, only: cause, error_type, fail
     use base_kinds, only: i64
     use base_output, only: output_type
-    use base_posix, only: c_fclose, c_fileno, c_fopen, c_text, c_truncate, c_unlink, last_error
+    use base_posix, only: c_fclose, c_fileno, c_fopen, c_text, c_unlink, last_error
     use base_text, only: to_text
     use sweep_keeper, only: keeper_type
     use sweep_record, only: header_of, read_row, record_type, row_of_record
@@ -90,10 +90,10 @@ contains
         integer(i64), intent(in) :: kept                    !! bytes that stay
         logical, intent(in) :: is_there                     !! the file is there
         type(error_type), allocatable, intent(out) :: error !! see above
-        integer(c_int) :: trouble
+        integer :: trouble
 
         trouble = 0
-        if (is_there) trouble = c_truncate(c_text(journal%path), int(kept, c_int64_t))
+        if (is_there) call cut_off(journal%path, kept, trouble)
         if (trouble == 0) journal%stream = c_fopen(c_text(journal%path), c_text('a'))
         if (trouble /= 0 .or. .not. c_associated(journal%stream)) then
             call fail(error, cause%file_trouble, journal%path//': '//last_error())
@@ -105,6 +105,21 @@ contains
         call journal%out%flush(error)
         if (allocated(error)) error%message = journal%path//': '//error%message
     end subroutine open_to_append
+
+    !> Cuts off what stands in a file behind so many bytes.
+    subroutine cut_off(path, kept, trouble)
+        character(*), intent(in) :: path    !! of a regular file
+        integer(i64), intent(in) :: kept    !! bytes that stay
+        integer, intent(out) :: trouble     !! not 0: it could not be done
+        integer :: unit
+
+        open (newunit=unit, file=path, access='stream', form='unformatted', status='old', &
+            action='readwrite', iostat=trouble)
+        if (trouble /= 0) return
+        write (unit, pos=kept + 1, iostat=trouble)
+        if (trouble == 0) endfile (unit, iostat=trouble)
+        close (unit)
+    end subroutine cut_off
 
     !> Reads the rows of a journal, or of a result.
     !>

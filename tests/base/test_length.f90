@@ -14,7 +14,8 @@ program test_length
         '-1.E-05', '1234567.125', '-9999999.9', '1.E-300']
     integer :: i
 
-    call tap%ok(all(places([0_i64, 9_i64, 10_i64, -1_i64, -10_i64]) == [1_i64, 1_i64, 2_i64, 2_i64, 3_i64]) .and. &
+    call tap%ok(all(places([0_i64, 9_i64, 10_i64, -1_i64, -10_i64]) == &
+        [1_i64, 1_i64, 2_i64, 2_i64, 3_i64]) .and. &
         places(huge(1_i64)) == 19_i64, 'characters of whole numbers')
     call tap%ok(places(-huge(1_i64)) == 20_i64, 'of one far below zero')
     do i = 1, size(number)
