@@ -25,7 +25,8 @@ module app_options
 
     !> What the command line asks for.
     type :: options_type
-        character(:), allocatable :: command    !! run, check, plot, export, audit, sweep, help, version
+        character(:), allocatable :: command    !! run, check, plot, export, audit, sweep, help,
+                                                !! version
         character(:), allocatable :: arithmetic !! ieee or s360
         character(:), allocatable :: format     !! of the result; empty: not said
         character(:), allocatable :: output     !! file or folder of `-o`, or nothing

@@ -1,5 +1,5 @@
-!> VARY: a field of the card right before it varies. A field is named as the card reference names
-!> it, or counted from 1; it must hold a number, which is what `loft run` takes.
+!> The VARY cards: a field of the card right before it varies. A field is named as the card
+!> reference names it, or counted from 1; it must hold a number, which is what `loft run` takes.
 module deck_job_vary
     use base_decimal, only: decimal_type
     use base_fault, only: fault_list_type

@@ -30,11 +30,14 @@ contains
             'the commands are known by name')
         call tap%same(command('--help')//command('-h')//command('--version'), 'helphelpversion', &
             'help and version are options too')
-        call refused('', 'no command; one of: run check plot export audit sweep help (try loft help)', &
+        call refused('', 'no command; one of: run check plot export audit sweep help (try '// &
+            'loft help)', &
             'no command')
-        call refused('fly', '''fly'' is no command; one of: run check plot export audit sweep help', &
+        call refused('fly', '''fly'' is no command; one of: run check plot export audit sweep '// &
+            'help', &
             'another command')
-        call refused('RUN', '''RUN'' is no command; one of: run check plot export audit sweep help', &
+        call refused('RUN', '''RUN'' is no command; one of: run check plot export audit sweep '// &
+            'help', &
             'a command in capitals')
         call refused('run check', '''run check'' is no command; one of: '// &
             'run check plot export audit sweep help', 'two commands in one word')
