@@ -44,7 +44,8 @@ contains
     subroutine print_head(item, out)
         type(item_type), intent(in) :: item         !! the table
         type(output_type), intent(inout) :: out     !! where it goes
-        character(8), allocatable :: word(:)
+        integer, parameter :: ways = 5
+        character(8) :: word(ways)
         character(*), parameter :: nothing = ',,,,,,,,,,'
 
         associate (table => item%table)
@@ -92,7 +93,8 @@ contains
     pure function front(item) result(text)
         type(item_type), intent(in) :: item         !! the table
         character(:), allocatable :: text
-        character(8), allocatable :: word(:)
+        integer, parameter :: views = 5
+        character(8) :: word(views)
         word = words_in(view_words)
         text = trim(item%table%name)//','//trim(word(item%table%view))//','// &
             trim(item%table%at_text)//','

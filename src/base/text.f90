@@ -37,7 +37,7 @@ contains
         character(*), intent(in) :: image !! any text
         integer, intent(in) :: first      !! first column, from 1
         integer, intent(in) :: last       !! last column
-        character(last - first + 1) :: text
+        character(max(int(last, i64) - int(first, i64) + 1_i64, 0_i64)) :: text
         text = ''
         if (first <= len(image)) text = image(first:min(last, len(image)))
     end function columns
@@ -111,8 +111,8 @@ contains
     pure function counted(number, noun) result(text)
         integer(i64), intent(in) :: number !! how many
         character(*), intent(in) :: noun   !! what, in the singular; the plural adds an s
-        character(places(number) + 1_i64 + len(noun, i64) + merge(0_i64, 1_i64, number == &
-            1)) :: text
+        character(places(number) + 1_i64 + len(noun, i64) + merge(0_i64, 1_i64, &
+            number == 1_i64)) :: text
         text = long_text(number)//' '//noun
         if (number /= 1) text = long_text(number)//' '//noun//'s'
     end function counted

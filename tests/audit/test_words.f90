@@ -4,6 +4,7 @@ program test_words
     use audit_finding, only: finding_type, verdict
     use audit_slip, only: slip
     use audit_words, only: card_image, corrected, is_doubtful, percent, reading_name, reason
+    use base_kinds, only: dp
     use support_audit_deck, only: audit_of, parabola
     use support_tap, only: tap_type
     implicit none (type, external)
@@ -18,7 +19,7 @@ program test_words
     finding%verdict = verdict%suspect
     finding%likely = '4.5'
     finding%slip = slip%sign
-    finding%sure = 0.9999
+    finding%sure = 0.9999_dp
     call tap%ok(is_doubtful(finding), 'a suspect is doubtful')
     call tap%same(corrected(finding)//'/'//reason(finding)//'/'//percent(finding), &
         '4.5/the sign/99', 'what is right, why, and how sure: never all')

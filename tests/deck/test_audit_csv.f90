@@ -1,6 +1,7 @@
 !> Printed tables as comma-separated values.
 program test_audit_csv
     use base_fault, only: fault_list_type
+    use base_kinds, only: dp
     use deck_audit, only: audit_deck_type, audit_view, entry_kind, known
     use support_audit_deck, only: table_faults, tables_of
     use support_tap, only: tap_type
@@ -23,8 +24,8 @@ program test_audit_csv
             'its figures')
         call tap%ok(table%entry(3)%is_along_y .and. table%entry(3)%column == 2 .and. &
             table%entry(3)%text == '12.5?7', 'a row along Y of the second column')
-        call tap%ok(nint(10.0*table%entry(4)%low) == -1 .and. nint(10.0*table%entry(4)%high) == 2, &
-            'the bounds of a slope')
+        call tap%ok(nint(10.0_dp*table%entry(4)%low) == -1 .and. &
+            nint(10.0_dp*table%entry(4)%high) == 2, 'the bounds of a slope')
     end associate
     call tap%ok(deck%table(2)%conics == 2, 'the second is a chain')
     call tap%same(table_faults(head//'A,side,5'), '2:1-1 error: a row has 6 cells: '// &

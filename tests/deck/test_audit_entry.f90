@@ -24,7 +24,7 @@ program test_audit_entry
         call tap%ok(is_equal(entry(3)%along, 7.0_dp) .and. entry(5)%what == known%s1 .and. &
             entry(6)%kind == entry_kind%between .and. is_equal(entry(6)%low, -1.0_dp) .and. &
             is_equal(entry(6)%high, 2.0_dp), 'what else they say')
-        call tap%ok(all(entry(:7)%line == [2, 2, 3, 4, 4, 5, 6]), 'and where they stand')
+        call tap%ok(all(int(entry(:7)%line) == [2, 2, 3, 4, 4, 5, 6]), 'and where they stand')
     end associate
     call tap%ok(deck%table(1)%printing == 3 .and. deck%table(1)%is_fie .and. &
         deck%table(1)%decimals == 2, 'how it was printed')

@@ -17,17 +17,20 @@ program test_twofold_row
     type(twofold_type) :: x
     real(dp) :: worst(9), first(width), second(width)
     logical :: is_first(width)
+    real(qp) :: wide_x
     integer :: i, k
 
     worst = 0.0_dp
     x = twofold_type(0.3_dp, 1.0e-18_dp)
+    wide_x = real(0.3_dp, qp) + real(1.0e-18_dp, qp)
     do k = 1, 200
         do i = 1, width
             first(i) = random%sign()*10.0_dp**random%between(-9.0_dp, 9.0_dp)
             second(i) = random%sign()*10.0_dp**random%between(-9.0_dp, 9.0_dp)
         end do
         c = exact_row(first, second)
-        worst(1) = max(worst(1), maxval(abs(real(wide(c) - (real(first, qp) - second), dp))))
+        worst(1) = max(worst(1), maxval(abs(real(wide(c) - (real(first, qp) - &
+            real(second, qp)), dp))))
         a = row_of(first)*exact_row(second, 0.1_dp)
         b = exact_row(second, 1.0e-3_dp*first)
         worst(2) = max(worst(2), part(a + b, wide(a) + wide(b), abs(wide(a)) + abs(wide(b))))
@@ -36,9 +39,8 @@ program test_twofold_row
         worst(5) = max(worst(5), part(a/b, wide(a)/wide(b), wide(a)/wide(b)))
         worst(6) = max(worst(6), part(square(a), wide(a)**2, wide(a)**2))
         worst(7) = max(worst(7), part(sqrt(square(a)), abs(wide(a)), wide(a)))
-        worst(8) = max(worst(8), part(x*a, 0.3_dp*wide(a) + 1.0e-18_dp*wide(a), wide(a)))
-        worst(9) = max(worst(9), part(a + x, wide(a) + 0.3_dp + 1.0e-18_dp, &
-            abs(wide(a)) + 0.3_dp))
+        worst(8) = max(worst(8), part(x*a, wide_x*wide(a), wide(a)))
+        worst(9) = max(worst(9), part(a + x, wide(a) + wide_x, abs(wide(a)) + wide_x))
     end do
     call tap%ok(worst(1) <= 0.0_dp, 'differences of doubles are exact')
     call tap%near(worst(2), 0.0_dp, few, 'sums are right to 101 bits of their terms')

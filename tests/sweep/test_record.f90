@@ -1,6 +1,7 @@
 !> Rows of variants: what is written is read back the same; what is no row is refused.
 program test_record
     use base_kinds, only: dp
+    use base_text, only: columns
     use support_ellipsoid, only: ellipsoid_study, ellipsoid_text
     use support_random, only: random_type
     use support_tap, only: tap_type
@@ -39,7 +40,7 @@ program test_record
     do i = 1, 2000
         record = record_type(1 + mod(i, 4), [any_number(), any_number()], &
             [any_number(), any_number()], [.true., mod(i, 3) > 0], 1 + mod(i, 3), mod(i, 5) == 0, &
-            quotes(:3*mod(i, 3)))
+            columns(quotes, 1, 3*mod(i, 3)))
         if (.not. record%has(2)) record%measure(2) = 0.0_dp
         row = row_of_record(record, .true.)
         call read_row(row, study, back, is_sound)
