@@ -1,36 +1,53 @@
-!> A 1970 deck run card by card: each card's tables are printed before the next card is read. What
-!> is wrong with a card is reported as it is met; the other cards run.
+!> A 1970 deck run a few cards at a time, as many as have arrived: threads compute them, and their
+!> tables are printed in the order of the deck before more is read. What is wrong with a card is
+!> reported as it is met; the other cards run.
 module app_run_conics
     use app_files, only: base_name
     use app_input, only: deck_input_type
     use app_options, only: options_type
+    use app_run_card, only: card_result_type, compute_card
     use app_status, only: status
-    use base_error, only: cause, error_type
-    use base_fault, only: fault_list_type, new_fault, severity
+    use base_error, only: error_type
+    use base_fault, only: fault_list_type
+    use base_kinds, only: i64
+    use base_memory, only: has_little_memory
     use base_output, only: output_type
-    use body_card_arc, only: arc_of_card
-    use body_card_facts, only: card_facts_type, facts_of_card
-    use body_card_tables, only: card_table_type, tables_of_card
-    use deck_conic_card, only: conic_card_type
-    use deck_conic_deck, only: conic_deck_type, found
-    use deck_layout, only: conic, conic_fields
-    use geom_arc, only: arc_type
-    use period_card, only: period_card_type
-    use period_printer, only: printer_type
-    use period_program, only: run_card
+    use deck_conic_deck, only: card_image_type, conic_deck_type, found
+    use deck_source, only: source_type
     use report_conic_listing, only: conic_listing_type
-    use report_csv, only: print_csv_header, print_csv_table
+    use report_csv, only: print_csv_header
     use report_fault, only: print_faults
     implicit none (type, external)
     private
 
     public :: run_conics
 
+    !> Cards read before any is computed, at most; as many as a block of the source has.
+    integer, parameter :: most_cards = 1024
+    !> Fewer cards than this are computed by one thread.
+    integer, parameter :: least_shared = 8
+
+    !> Cards that have arrived.
+    type :: batch_type
+        integer :: count = 0                                    !! how many
+        type(card_image_type) :: image(most_cards)              !! the cards
+        type(fault_list_type) :: faults(most_cards)             !! met before each
+        type(fault_list_type) :: last_faults                    !! met behind the last
+        logical :: is_last = .false.                            !! the deck is at its end
+        type(card_result_type) :: result(most_cards)            !! what became of each
+        integer :: is_ready(most_cards) = 0                     !! 1: it is computed
+        integer :: printed = 0                                  !! how many are printed
+        integer :: printing = 0                                 !! 1: a thread prints
+    end type batch_type
+
     !> A run on its way.
     type :: run_type
         type(options_type) :: options           !! what was asked for
+        character(:), allocatable :: name       !! of the deck, as the user gave it
         type(conic_deck_type) :: deck           !! the deck, as far as it is read
         type(conic_listing_type) :: listing     !! the pages of an ieee listing
+        integer :: exit_status = status%done    !! so far
+        logical :: is_confined = .false.        !! there is no memory for a second thread
     end type run_type
 
 contains
@@ -47,130 +64,132 @@ contains
         integer, intent(out) :: exit_status                 !! one of `status%...`
         type(error_type), allocatable, intent(out) :: error !! see above
         type(run_type) :: run
-        type(fault_list_type) :: faults
-        type(conic_card_type) :: card
-        type(error_type), allocatable :: ignored
-        integer :: outcome
+        type(batch_type), allocatable :: batch
 
-        exit_status = status%done
         run%options = options
+        run%name = input%name
+        run%is_confined = has_little_memory()
         run%deck%heading = input%opening%heading
+        allocate (batch)
         if (options%format == 'csv') call print_csv_header(out)
         do
-            call run%deck%next(input%source, card, outcome, faults, error)
-            if (allocated(error)) then
-                error%message = input%name//': '//error%message
-                return
-            end if
-            if (outcome == found%conic) then
-                call run_conic(run, card, base_name(input%name), out, faults)
-            end if
-            call print_faults(faults, input%name, .false., messages)
-            call messages%flush(ignored)
-            if (faults%has_errors(0)) exit_status = status%faulty
-            call faults%clear()
-            if (outcome == found%finished .or. out%has_failed()) exit
+            call read_batch(run%deck, input%source, batch, error)
+            call run_batch(run, batch, out, messages)
+            call report_faults(run, batch%last_faults, messages)
+            if (allocated(error) .or. batch%is_last .or. out%has_failed()) exit
         end do
+        exit_status = run%exit_status
+        if (allocated(error)) error%message = input%name//': '//error%message
     end subroutine run_conics
 
-    !> Runs one card in the arithmetic asked for.
-    subroutine run_conic(run, card, deck_name, out, faults)
-        type(run_type), intent(inout) :: run            !! the run
-        type(conic_card_type), intent(in) :: card       !! the card, sound or not
-        character(*), intent(in) :: deck_name           !! without folders
-        type(output_type), intent(inout) :: out         !! the result
-        type(fault_list_type), intent(inout) :: faults  !! what is wrong is added
-        type(arc_type) :: arc
-        type(card_table_type), allocatable :: tables(:)
-        type(card_facts_type) :: facts
-        logical :: has_arc
+    !> Reads cards until no more are at hand; one at least, or the end of the deck.
+    !>
+    !> Fails with `cause%file_trouble` where the deck can't be read; the cards before are there.
+    subroutine read_batch(deck, source, batch, error)
+        type(conic_deck_type), intent(inout) :: deck        !! the deck
+        type(source_type), intent(inout) :: source          !! where its lines come from
+        type(batch_type), intent(inout) :: batch            !! the cards
+        type(error_type), allocatable, intent(out) :: error !! see above
+        type(fault_list_type) :: faults
+        integer :: outcome
 
-        has_arc = .false.
-        if (card%is_readable .and. .not. card%has_coinciding_points()) then
-            call arc_of_card(card, arc, has_arc, faults)
-        end if
-        if (run%options%arithmetic == 's360') then
-            if (card%is_readable) call run_period(run%options, card, out, faults)
-            return
-        end if
-        has_arc = has_arc .and. card%is_whole
-        if (has_arc) then
-            call tables_of_card(card, arc, tables, faults)
-        else
-            allocate (tables(0))
-        end if
-        if (run%options%format == 'csv') then
-            call print_csv_tables(card, tables, out)
-        else
-            if (has_arc) facts = facts_of_card(card, arc, run%options%shift)
-            if (card%count == 1) call run%listing%begin(run%deck%heading, deck_name)
-            call run%listing%print_card(card, facts, tables, out)
-        end if
-    end subroutine run_conic
-
-    !> Prints the tables of a card as CSV.
-    subroutine print_csv_tables(card, tables, out)
-        type(conic_card_type), intent(in) :: card       !! the card
-        type(card_table_type), intent(in) :: tables(:)  !! its tables
-        type(output_type), intent(inout) :: out         !! where they go
-        integer :: i
-        do i = 1, size(tables)
-            call print_csv_table(tables(i), card%count, out)
+        batch%count = 0
+        do
+            call deck%next_image(source, batch%image(batch%count + 1), outcome, faults, error)
+            if (allocated(error) .or. outcome == found%finished) exit
+            batch%count = batch%count + 1
+            if (faults%count > 0) batch%faults(batch%count) = faults
+            call faults%clear()
+            if (batch%count == most_cards .or. .not. source%has_line()) return
         end do
-    end subroutine print_csv_tables
+        batch%last_faults = faults
+        batch%is_last = .true.
+    end subroutine read_batch
 
-    !> Runs a card as the program of 1970. What it could not do it says on the page; what stopped
-    !> the machine, or would never have ended, is a fault; check values that are off are warned of.
-    subroutine run_period(options, card, out, faults)
-        type(options_type), intent(in) :: options       !! shift and carriage control
-        type(conic_card_type), intent(in) :: card       !! a readable card
+    !> Computes the cards of a batch, many side by side, and prints them in order. No thread waits
+    !> for another: a card that is ready before its turn is printed by the thread that has finished
+    !> the card before it, or the next one that comes.
+    subroutine run_batch(run, batch, out, messages)
+        type(run_type), intent(inout) :: run            !! the run
+        type(batch_type), intent(inout) :: batch        !! the cards; their faults are taken
         type(output_type), intent(inout) :: out         !! the result
-        type(fault_list_type), intent(inout) :: faults  !! what is wrong is added
-        type(error_type), allocatable :: error
-        type(printer_type) :: printer
-        integer :: before, grade, first, last
+        type(output_type), intent(inout) :: messages    !! diagnostics
+        integer :: i
 
-        before = faults%count
-        printer = printer_type(asa=options%asa)
-        call run_card(period_card(card), options%shift, printer, out, error)
-        if (.not. allocated(error)) return
-        select case (error%cause)
-        case (cause%singular, cause%increment)
-            if (faults%has_errors(0)) return
-        end select
-        grade = merge(severity%warning, severity%error, error%cause == cause%checks_off)
-        call blame_fields(error%cause, first, last)
-        call faults%add(new_fault(grade, conic_fields(first)%first, conic_fields(last)%last, &
-            error%message))
-        call faults%place(before, card%line, card%image)
-    end subroutine run_period
+        batch%is_ready(:batch%count) = 0
+        batch%printed = 0
+        !$omp parallel do default(none) shared(run, batch, out, messages) schedule(dynamic, 1) &
+        !$omp if (batch%count >= least_shared .and. .not. run%is_confined)
+        do i = 1, batch%count
+            call batch%result(i)%faults%clear()
+            if (batch%faults(i)%count > 0) batch%result(i)%faults = batch%faults(i)
+            call batch%faults(i)%clear()
+            call compute_card(run%options, batch%image(i), batch%result(i))
+            !$omp atomic write release
+            batch%is_ready(i) = 1
+            !$omp end atomic
+            call print_ready(run, batch, out, messages)
+        end do
+        !$omp end parallel do
+        call print_ready(run, batch, out, messages)
+    end subroutine run_batch
 
-    !> The fields that made the trouble. A zero increment is that of X: a zero YI is a fault of
-    !> the card already.
-    pure subroutine blame_fields(reason, first, last)
-        integer, intent(in) :: reason !! one of `cause%...`
-        integer, intent(out) :: first !! field where they begin
-        integer, intent(out) :: last  !! field where they end
+    !> Prints the cards whose turn has come, unless another thread is at it.
+    subroutine print_ready(run, batch, out, messages)
+        type(run_type), intent(inout) :: run            !! the run
+        type(batch_type), intent(inout) :: batch        !! its cards
+        type(output_type), intent(inout) :: out         !! the result
+        type(output_type), intent(inout) :: messages    !! diagnostics
+        integer :: others, ready
 
-        first = merge(conic%xi, conic%x1, reason == cause%increment .or. reason == cause%too_many)
-        select case (reason)
-        case (cause%singular, cause%checks_off)
-            last = conic%s3
-        case (cause%increment)
-            last = conic%xi
-        case default
-            last = conic%yi
-        end select
-    end subroutine blame_fields
+        !$omp atomic capture seq_cst
+        others = batch%printing
+        batch%printing = 1
+        !$omp end atomic
+        if (others /= 0) return
+        do while (batch%printed < batch%count)
+            !$omp atomic read acquire
+            ready = batch%is_ready(batch%printed + 1)
+            !$omp end atomic
+            if (ready == 0) exit
+            batch%printed = batch%printed + 1
+            call print_card(run, batch%result(batch%printed), out, messages)
+        end do
+        !$omp atomic write release
+        batch%printing = 0
+        !$omp end atomic
+    end subroutine print_ready
 
-    !> A card as the 1970 program takes it.
-    pure type(period_card_type) function period_card(card)
-        type(conic_card_type), intent(in) :: card !! a readable card
-        associate (v => card%value)
-            period_card = period_card_type(v(conic%x1), v(conic%y1), v(conic%s1), v(conic%x2), &
-                v(conic%y2), v(conic%x3), v(conic%y3), v(conic%s3), v(conic%xi), v(conic%yi), &
-                card%ityp)
-        end associate
-    end function period_card
+    !> Prints what became of a card.
+    subroutine print_card(run, it, out, messages)
+        type(run_type), intent(inout) :: run            !! the run
+        type(card_result_type), intent(inout) :: it     !! the card; its text is given up
+        type(output_type), intent(inout) :: out         !! the result
+        type(output_type), intent(inout) :: messages    !! diagnostics
+
+        if (out%has_failed()) return
+        if (run%options%arithmetic == 's360' .or. run%options%format == 'csv') then
+            call it%text%pour(out, 1_i64, it%text%length())
+        else
+            if (it%count == 1) call run%listing%begin(run%deck%heading, base_name(run%name))
+            call run%listing%print_block(it%block, out)
+        end if
+        call it%text%clear()
+        call it%block%text%clear()
+        call report_faults(run, it%faults, messages)
+    end subroutine print_card
+
+    !> Prints faults at once.
+    subroutine report_faults(run, faults, messages)
+        type(run_type), intent(inout) :: run            !! the run
+        type(fault_list_type), intent(in) :: faults     !! what was met
+        type(output_type), intent(inout) :: messages    !! diagnostics
+        type(error_type), allocatable :: ignored
+
+        if (faults%count == 0) return
+        call print_faults(faults, run%name, .false., messages)
+        call messages%flush(ignored)
+        if (faults%has_errors(0)) run%exit_status = status%faulty
+    end subroutine report_faults
 
 end module app_run_conics

@@ -27,12 +27,15 @@ module base_decimal
         integer :: power = 0        !! the common power of ten
     contains
         procedure :: ordinate
+        procedure :: put_ordinates
         procedure :: steps_to
         procedure :: step_length
     end type grid_type
 
     !> Powers of ten that a double holds exactly.
     integer, parameter :: exact_powers = 22
+    !> Whole numbers below this are doubles.
+    integer(i128), parameter :: exact_whole = 2_i128**53
 
     interface to_real
         module procedure decimal_to_real
@@ -89,6 +92,33 @@ contains
         ordinate = scaled_real(grid%start + int(k, i128)*grid%step, grid%power)
     end function ordinate
 
+    !> The doubles nearest to `start + k*step`, of steps one after the other.
+    pure subroutine put_ordinates(grid, first, stride, values)
+        class(grid_type), intent(in) :: grid    !! the stepped ordinates
+        integer(i64), intent(in) :: first       !! the first step wanted
+        integer(i64), intent(in) :: stride      !! from a step to the next, 1 or -1
+        real(dp), intent(out) :: values(:)      !! the ordinates
+        integer(i128) :: last
+        real(dp) :: ten, from, by
+        integer :: i
+
+        last = grid%start + int(first + stride*size(values, kind=i64), i128)*grid%step
+        if (max(abs(grid%start), abs(grid%start + int(first, i128)*grid%step), abs(last)) &
+            < exact_whole .and. grid%power <= 0 .and. grid%power >= -exact_powers) then
+            ! Whole numbers that a double holds: only the quotient is rounded.
+            ten = 10.0_dp**(-grid%power)
+            from = real(grid%start + int(first, i128)*grid%step, dp)
+            by = real(stride*int(grid%step, i64), dp)
+            do i = 1, size(values)
+                values(i) = (from + real(i - 1, dp)*by)/ten
+            end do
+        else
+            do i = 1, size(values)
+                values(i) = grid%ordinate(first + stride*int(i - 1, i64))
+            end do
+        end if
+    end subroutine put_ordinates
+
     !> The number of steps from the start to a value, not rounded: start + steps_to*step = x.
     elemental real(dp) function steps_to(grid, x)
         class(grid_type), intent(in) :: grid !! the stepped ordinates
@@ -109,7 +139,7 @@ contains
         integer, intent(in) :: power        !! power of ten
         character(64) :: text
 
-        if (abs(digits) < 2_i128**53 .and. abs(power) <= exact_powers) then
+        if (abs(digits) < exact_whole .and. abs(power) <= exact_powers) then
             if (power < 0) then
                 x = real(digits, dp)/10.0_dp**(-power)
             else

@@ -14,6 +14,8 @@ module base_output
 
     !> Bytes gathered before the system is asked to write.
     integer, parameter :: buffer_size = 65536
+    !> Bytes an output in memory has room for at first, and that it keeps when it is emptied.
+    integer, parameter :: memory_size = 1024, kept_size = 65536
     !> The descriptor of an output that only gathers.
     integer(c_int), parameter :: memory = -1
 
@@ -32,6 +34,9 @@ module base_output
         procedure :: flush => flush_output
         procedure :: text => gathered_text
         procedure :: has_failed
+        procedure :: length => gathered_length
+        procedure :: pour
+        procedure :: clear => clear_output
     end type output_type
 
 contains
@@ -96,6 +101,29 @@ contains
         if (allocated(out%buffer)) text = out%buffer(:out%used)
     end function gathered_text
 
+    !> How many bytes an output in memory has gathered.
+    pure integer(i64) function gathered_length(out) result(length)
+        class(output_type), intent(in) :: out !! an output without descriptor
+        length = out%used
+    end function gathered_length
+
+    !> Puts a part of what an output in memory has gathered into another output.
+    subroutine pour(out, into, first, last)
+        class(output_type), intent(in) :: out       !! an output without descriptor
+        type(output_type), intent(inout) :: into    !! gets the bytes
+        integer(i64), intent(in) :: first           !! first byte, from 1
+        integer(i64), intent(in) :: last            !! last byte; before the first: there is none
+        if (last >= first) call into%put(out%buffer(first:last))
+    end subroutine pour
+
+    !> Empties an output in memory, which keeps its room unless that is large.
+    subroutine clear_output(out)
+        class(output_type), intent(inout) :: out !! an output without descriptor
+        out%used = 0
+        if (.not. allocated(out%buffer)) return
+        if (len(out%buffer) > kept_size) deallocate (out%buffer)
+    end subroutine clear_output
+
     !> True where something could not be written; there is no use in going on.
     pure logical function has_failed(out)
         class(output_type), intent(in) :: out !! the output
@@ -108,7 +136,8 @@ contains
         integer(i64), intent(in) :: length       !! bytes to come
         character(:), allocatable :: grown
 
-        if (.not. allocated(out%buffer)) allocate (character(buffer_size) :: out%buffer)
+        if (.not. allocated(out%buffer)) allocate (character(merge(memory_size, buffer_size, &
+            out%descriptor == memory)) :: out%buffer)
         if (length <= len(out%buffer, i64) - out%used) return
         if (out%descriptor /= memory) then
             call empty(out)

@@ -16,7 +16,7 @@ module deck_conic_deck
     implicit none (type, external)
     private
 
-    public :: conic_deck_type
+    public :: conic_deck_type, card_image_type, read_image
 
     !> What the next card turned out to be.
     type, public :: found_list
@@ -26,6 +26,13 @@ module deck_conic_deck
 
     !> The outcomes by name: `found%conic`.
     type(found_list), parameter, public :: found = found_list()
+
+    !> A conic card as it was found, its fields not read.
+    type :: card_image_type
+        type(line_type) :: line                 !! the line of the deck
+        integer(i64) :: count = 0               !! which conic card of the deck, from 1
+        character(:), allocatable :: label      !! the comment right before it, or nothing
+    end type card_image_type
 
     !> A deck being read.
     type :: conic_deck_type
@@ -38,6 +45,7 @@ module deck_conic_deck
         character(:), allocatable, private :: comment !! the last comment, if nothing came since
     contains
         procedure :: next => next_conic
+        procedure :: next_image
     end type conic_deck_type
 
 contains
@@ -53,47 +61,80 @@ contains
         integer, intent(out) :: outcome                     !! one of `found%...`
         type(fault_list_type), intent(inout) :: faults      !! what is wrong is added
         type(error_type), allocatable, intent(out) :: error !! see above
-        type(line_type) :: line
+        type(card_image_type) :: image
+
+        call deck%next_image(source, image, outcome, faults, error)
+        if (.not. allocated(error) .and. outcome == found%conic) then
+            call read_image(image, card, faults)
+        end if
+    end subroutine next_conic
+
+    !> Reads a conic card that has been found.
+    subroutine read_image(image, card, faults)
+        type(card_image_type), intent(in) :: image      !! from `next_image`
+        type(conic_card_type), intent(out) :: card      !! what it says
+        type(fault_list_type), intent(inout) :: faults  !! what is wrong is added
+        card%count = image%count
+        card%label = image%label
+        call read_conic_card(image%line, card, faults)
+    end subroutine read_image
+
+    !> Finds the next conic card without reading its fields, or the end of the deck; else as `next`.
+    subroutine next_image(deck, source, image, outcome, faults, error)
+        class(conic_deck_type), intent(inout) :: deck       !! the deck
+        type(source_type), intent(inout) :: source          !! where its lines come from
+        type(card_image_type), intent(inout) :: image       !! the card, where one was found
+        integer, intent(out) :: outcome                     !! one of `found%...`
+        type(fault_list_type), intent(inout) :: faults      !! what is wrong is added
+        type(error_type), allocatable, intent(out) :: error !! see above
         logical :: has_line
 
         outcome = found%finished
         do while (.not. deck%is_binary)
-            call source%next_line(line, has_line, error)
+            call source%next_line(image%line, has_line, error)
             if (allocated(error)) return
             if (.not. has_line) exit
-            if (line%has_null) then
-                call refuse_binary(deck, line, faults)
-            else if (line%filled == 0) then
-                cycle
-            else if (line%text(1:1) == '*') then
-                deck%comment = trim(adjustl(line%text(2:)))
-            else if (deck%has_ended) then
-                deck%after_end = deck%after_end + 1
-            else if (begins_with_word(line)) then
-                call take_word(deck, line, faults)
-            else if (ends_deck(line)) then
-                call take_end(deck, line, faults)
-            else
-                call take_conic(deck, line, card, faults)
-                outcome = found%conic
-                return
-            end if
+            call take_line(deck, image%line, outcome, faults)
+            if (outcome == found%finished) cycle
+            call take_conic(deck, image)
+            return
         end do
         call close_deck(deck, faults)
-    end subroutine next_conic
+    end subroutine next_image
 
-    !> Takes a conic card.
-    subroutine take_conic(deck, line, card, faults)
+    !> Takes a line: the outcome is set where it is a conic card, which is left to the caller.
+    subroutine take_line(deck, line, outcome, faults)
         class(conic_deck_type), intent(inout) :: deck   !! the deck
         type(line_type), intent(in) :: line             !! the line
-        type(conic_card_type), intent(out) :: card      !! what it says
+        integer, intent(inout) :: outcome               !! one of `found%...`
         type(fault_list_type), intent(inout) :: faults  !! what is wrong is added
 
+        if (line%has_null) then
+            call refuse_binary(deck, line, faults)
+        else if (line%filled == 0) then
+            return
+        else if (line%text(1:1) == '*') then
+            deck%comment = trim(adjustl(line%text(2:)))
+        else if (deck%has_ended) then
+            deck%after_end = deck%after_end + 1
+        else if (begins_with_word(line)) then
+            call take_word(deck, line, faults)
+        else if (ends_deck(line)) then
+            call take_end(deck, line, faults)
+        else
+            outcome = found%conic
+        end if
+    end subroutine take_line
+
+    !> Takes a conic card.
+    subroutine take_conic(deck, image)
+        class(conic_deck_type), intent(inout) :: deck   !! the deck
+        type(card_image_type), intent(inout) :: image   !! has its line; gets number and name
+
         deck%cards = deck%cards + 1
-        card%count = deck%cards
-        card%label = ''
-        if (allocated(deck%comment)) call move_alloc(deck%comment, card%label)
-        call read_conic_card(line, card, faults)
+        image%count = deck%cards
+        image%label = ''
+        if (allocated(deck%comment)) call move_alloc(deck%comment, image%label)
     end subroutine take_conic
 
     !> Takes a card with a word in front: a heading card before the first conic, else a fault.

@@ -107,7 +107,7 @@ contains
         case ('E', 'D')
             call take_power(number, state, i)
         case default
-            call blame(number, i, i, stranger(letter))
+            call blame_stranger(number, i, letter)
         end select
     end subroutine take
 
@@ -243,9 +243,11 @@ contains
         number%trouble = trouble
     end subroutine blame
 
-    !> Words for a character that no number has, with the likely slip.
-    pure function stranger(letter) result(words)
-        character, intent(in) :: letter !! the character, upper case
+    !> Notes a character that no number has, with the likely slip.
+    pure subroutine blame_stranger(number, i, letter)
+        type(number_type), intent(inout) :: number !! the number at fault
+        integer, intent(in) :: i                   !! its place in the field
+        character, intent(in) :: letter            !! the character, upper case
         character(:), allocatable :: words
         character(2) :: code
 
@@ -264,6 +266,7 @@ contains
             words = 'byte '//code//' (hexadecimal) in a number; only plain ASCII figures, signs'// &
                 ' and points are read'
         end select
-    end function stranger
+        call blame(number, i, i, words)
+    end subroutine blame_stranger
 
 end module deck_number

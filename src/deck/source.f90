@@ -49,6 +49,7 @@ module deck_source
         procedure :: begin_checksum
         procedure :: read_checksum
         procedure :: next_line
+        procedure :: has_line
         procedure :: put_back
     end type source_type
 
@@ -101,7 +102,7 @@ contains
         type(line_type), intent(out) :: line                !! the line, where one was found
         logical, intent(out) :: found                       !! false after the last line
         type(error_type), allocatable, intent(out) :: error !! see above
-        integer(i64) :: last, cut
+        integer(i64) :: last
 
         line%text = ''
         found = .false.
@@ -114,11 +115,10 @@ contains
             if (source%next > source%filled) call refill(source)
             if (source%at_end) exit
             found = .true.
-            cut = index(source%block(source%next:source%filled), new_line('a'), kind=i64)
-            last = merge(source%next + cut - 2, source%filled, cut > 0)
-            call gather(line, source%block(source%next:last))
-            source%next = last + merge(2_i64, 1_i64, cut > 0)
-            if (cut > 0 .or. line%has_null) exit
+            last = line_end(source)
+            call gather(line, source%block(source%next:last - 1))
+            source%next = last + 1
+            if (last <= source%filled .or. line%has_null) exit
         end do
         if (allocated(source%trouble)) call fail(error, cause%file_trouble, source%trouble)
         if (.not. found) return
@@ -126,6 +126,20 @@ contains
         line%number = source%lines
         call strip(line)
     end subroutine next_line
+
+    !> True where a whole line is at hand: the next can be had without waiting for it.
+    pure logical function has_line(source)
+        class(source_type), intent(in) :: source !! the source
+        has_line = allocated(source%waiting) .or. line_end(source) <= source%filled
+    end function has_line
+
+    !> Where the next line feed stands in the block; behind the block where there is none.
+    pure integer(i64) function line_end(source) result(last)
+        class(source_type), intent(in) :: source !! the source
+        do last = source%next, source%filled
+            if (source%block(last:last) == new_line('a')) return
+        end do
+    end function line_end
 
     !> Puts a line back: it is the next to be read again. Of several the last comes first.
     subroutine put_back(source, line)
@@ -182,15 +196,22 @@ contains
     pure subroutine gather(line, piece)
         type(line_type), intent(inout) :: line !! the line so far
         character(*), intent(in) :: piece      !! what follows
-        integer(i64) :: room
+        integer(i64) :: room, i
 
         room = max(0_i64, kept_length - line%length)
-        line%text = line%text//piece(:min(room, len(piece, i64)))
-        if (piece /= '') then
-            line%filled = int(min(line%length + len_trim(piece, i64), int(huge(line%filled), i64)))
+        if (line%length == 0) then
+            line%text = piece(:min(room, len(piece, i64)))
+        else
+            line%text = line%text//piece(:min(room, len(piece, i64)))
         end if
+        do i = len(piece, i64), 1_i64, -1_i64
+            if (piece(i:i) /= ' ') exit
+        end do
+        if (i > 0) line%filled = int(min(line%length + i, int(huge(line%filled), i64)))
+        do i = 1, len(piece, i64)
+            if (piece(i:i) == achar(0)) line%has_null = .true.
+        end do
         line%length = line%length + len(piece, i64)
-        line%has_null = line%has_null .or. index(piece, achar(0)) > 0
     end subroutine gather
 
     !> Takes off what belongs to the file: a carriage return at the end, a byte order mark in front.

@@ -10,7 +10,7 @@
 !> Analytic Geometry with Applications to Aircraft", 1944, ch. 4).
 module geom_conic
     use base_exact, only: is_zero
-    use base_kinds, only: dp
+    use base_kinds, only: dp, i64
     use base_tolerances, only: type_tolerance, ulp
     use geom_arc, only: arc_type, weight
     use geom_twofold, only: operator(*), operator(+), operator(-), operator(/), to_real, &
@@ -40,6 +40,9 @@ module geom_conic
         integer :: kind = 0                 !! one of `conic_kind%...`
     end type conic_type
 
+    !> Their words.
+    character(9), parameter :: kind_names(5) = &
+        [character(9) :: 'ellipse', 'circle', 'parabola', 'hyperbola', 'line']
     !> A coefficient this small beside the largest is what cancelling terms left, and is zero.
     real(dp), parameter :: cancelled = ulp*type_tolerance
 
@@ -90,10 +93,8 @@ contains
     !> The word for a kind of conic.
     pure function kind_name(kind) result(name)
         integer, intent(in) :: kind !! one of `conic_kind%...`
-        character(:), allocatable :: name
-        character(9), parameter :: names(5) = &
-            [character(9) :: 'ellipse', 'circle', 'parabola', 'hyperbola', 'line']
-        name = trim(names(kind))
+        character(len_trim(kind_names(kind), i64)) :: name
+        name = kind_names(kind)
     end function kind_name
 
     !> The left side of the general equation: the residual of a point of the curve.

@@ -3,20 +3,18 @@
 !> the steps, up to its extreme. A step that equals an end is that end, once; one that touches an
 !> extreme is one point.
 module geom_contour
-    use base_constants, only: largest_table
     use base_decimal, only: grid_type
-    use base_error, only: cause, error_type, fail
+    use base_error, only: error_type
     use base_kinds, only: dp, i64
-    use base_text, only: compact, to_text
     use geom_arc, only: arc_type
     use geom_arc_point, only: curvature, point, slope, slope_type
-    use geom_crossing, only: crossing, turning_places
+    use geom_crossing, only: crossing
     use geom_place, only: at_finish, at_start, place_type
-    use geom_triangle, only: rounding
+    use geom_stretch, only: divide, stretch_type
     implicit none (type, external)
     private
 
-    public :: contour_point_type, contour_of, contour_point
+    public :: contour_point_type, contour_type, contour_of, contour_point, new_contour
 
     !> One row of a table.
     type :: contour_point_type
@@ -27,20 +25,18 @@ module geom_contour
         type(place_type) :: place        !! where on the arc
     end type contour_point_type
 
-    !> A stretch of an arc on which the stepped coordinate only increases or only decreases, and
-    !> the steps strictly between its ends: `first, first + stride, ...`, `count` of them.
-    type :: stretch_type
-        type(place_type) :: finish       !! where it ends
-        logical :: rising = .true.       !! the coordinate increases along it
-        integer(i64) :: first = 0        !! the first step passed
-        integer(i64) :: stride = 1       !! 1 or -1
-        integer(i64) :: count = 0        !! steps passed
-        logical :: touches = .false.     !! a step meets the extreme at its end
-        integer(i64) :: touched = 0      !! that step
-    end type stretch_type
 
-    !> Steps are counted from the grid's start; beyond this count the grid can't be meant.
-    real(dp), parameter :: furthest_step = 1000.0_dp*largest_table
+    !> A table that is asked for, none of its rows made yet.
+    type :: contour_type
+        integer :: axis = 1                             !! 1: steps of x, 2: steps of y
+        type(arc_type) :: arc                           !! the arc
+        type(grid_type) :: grid                         !! the stepped ordinates
+        type(stretch_type), allocatable :: stretch(:)   !! in order along the arc
+    contains
+        procedure :: make_rows
+        procedure :: row_count
+        procedure :: row
+    end type contour_type
 
 contains
 
@@ -54,29 +50,70 @@ contains
         type(grid_type), intent(in) :: grid                              !! the stepped ordinates
         type(contour_point_type), allocatable, intent(out) :: rows(:)    !! in order along the arc
         type(error_type), allocatable, intent(out) :: error              !! see above
-        type(stretch_type), allocatable :: stretches(:)
+        type(contour_type) :: contour
+
+        call new_contour(arc, axis, grid, contour, error)
+        if (.not. allocated(error)) call contour%make_rows(rows)
+    end subroutine contour_of
+
+    !> Prepares the rows of an arc at stepped ordinates. Fails as `contour_of`.
+    pure subroutine new_contour(arc, axis, grid, contour, error)
+        type(arc_type), intent(in) :: arc                   !! any arc
+        integer, intent(in) :: axis                         !! 1: step x, 2: step y
+        type(grid_type), intent(in) :: grid                 !! the stepped ordinates
+        type(contour_type), intent(out) :: contour          !! the table
+        type(error_type), allocatable, intent(out) :: error !! see above
+        contour%axis = axis
+        contour%arc = arc
+        contour%grid = grid
+        call divide(arc, axis, grid, contour%stretch, error)
+    end subroutine new_contour
+
+    !> Makes all rows of a table.
+    pure subroutine make_rows(contour, rows)
+        class(contour_type), intent(in) :: contour                       !! the table
+        type(contour_point_type), allocatable, intent(out) :: rows(:)    !! in order along the arc
         integer :: i, next
         integer(i64) :: k
 
-        call divide(arc, axis, grid, stretches, error)
-        if (allocated(error)) return
-        allocate (rows(2 + int(sum(stretches%count)) + count(stretches%touches)))
-        rows(1) = contour_point(arc, at_start)
+        allocate (rows(contour%row_count()))
+        rows(1) = contour_point(contour%arc, at_start)
         next = 2
-        do i = 1, size(stretches)
-            associate (it => stretches(i))
-                do k = 0, it%count - 1
-                    rows(next) = passage(arc, axis, grid%ordinate(it%first + k*it%stride), &
-                        it%rising)
-                    next = next + 1
-                end do
-                if (.not. it%touches) cycle
-                rows(next) = extreme(arc, axis, grid%ordinate(it%touched), it%finish)
+        do i = 1, size(contour%stretch)
+            do k = 1, contour%stretch(i)%count + merge(1_i64, 0_i64, contour%stretch(i)%touches)
+                rows(next) = contour%row(i, k)
                 next = next + 1
-            end associate
+            end do
         end do
-        rows(next) = contour_point(arc, at_finish)
-    end subroutine contour_of
+        rows(next) = contour_point(contour%arc, at_finish)
+    end subroutine make_rows
+
+    !> How many rows a table has.
+    pure integer function row_count(contour)
+        class(contour_type), intent(in) :: contour !! the table
+        row_count = 2 + int(sum(contour%stretch%count)) + count(contour%stretch%touches)
+    end function row_count
+
+    !> A row of a stretch: those of its steps are 1 to `count`, and the next is the extreme that it
+    !> touches. Row 0 is the first point of the arc, and the one behind the last stretch its last.
+    pure type(contour_point_type) function row(contour, i, k)
+        class(contour_type), intent(in) :: contour !! the table
+        integer, intent(in) :: i                   !! which stretch
+        integer(i64), intent(in) :: k              !! which of its rows
+
+        associate (it => contour%stretch(i), grid => contour%grid)
+            if (k == 0) then
+                row = contour_point(contour%arc, at_start)
+            else if (k <= it%count) then
+                row = passage(contour%arc, contour%axis, &
+                    grid%ordinate(it%first + (k - 1)*it%stride), it%rising)
+            else if (it%touches .and. k == it%count + 1) then
+                row = extreme(contour%arc, contour%axis, grid%ordinate(it%touched), it%finish)
+            else
+                row = contour_point(contour%arc, at_finish)
+            end if
+        end associate
+    end function row
 
     !> The row of a place.
     pure type(contour_point_type) function contour_point(arc, place) result(row)
@@ -114,140 +151,12 @@ contains
         if (axis == 2) row%y = ordinate
     end function extreme
 
-    !> Divides an arc at its extremes and counts the steps of each stretch. An extreme that rounding
-    !> can't tell from an end of the arc, or from the extreme before it, is that.
-    pure subroutine divide(arc, axis, grid, stretches, error)
-        type(arc_type), intent(in) :: arc                             !! any arc
-        integer, intent(in) :: axis                                   !! 1: step x, 2: step y
-        type(grid_type), intent(in) :: grid                           !! the stepped ordinates
-        type(stretch_type), allocatable, intent(out) :: stretches(:)  !! in order along the arc
-        type(error_type), allocatable, intent(out) :: error           !! see `contour_of`
-        type(place_type), allocatable :: ends(:)
-        type(stretch_type) :: stretch
-        real(dp) :: from, to, noise, last, span
-        integer :: i
 
-        allocate (stretches(0))
-        ends = [turning_places(arc, axis), at_finish]
-        from = arc%start(axis)
-        last = arc%finish(axis)
-        noise = extent_noise(arc, ends)
-        span = 0.0_dp
-        do i = 1, size(ends)
-            to = coordinate(arc, axis, ends(i))
-            if (abs(to - from) <= noise) cycle
-            if (i == size(ends) - 1 .and. abs(last - to) <= noise) ends(i) = at_finish
-            stretch%finish = ends(i)
-            call count_steps(grid, from, to, noise, stretch, error)
-            if (allocated(error)) return
-            stretch%touches = stretch%touches .and. i < size(ends) .and. .not. at_end(ends(i))
-            stretches = [stretches, stretch]
-            span = span + abs(to - from)
-            from = to
-        end do
-        if (sum(stretches%count) + 2 > largest_table) call refuse(span, grid%step_length(), error)
-    contains
-        !> True for the last point of the arc.
-        pure logical function at_end(place)
-            type(place_type), intent(in) :: place !! any place
-            at_end = .not. place%alpha%high > 0.0_dp
-        end function at_end
-    end subroutine divide
 
-    !> One coordinate of a place, deck units.
-    pure real(dp) function coordinate(arc, axis, place)
-        type(arc_type), intent(in) :: arc     !! any arc
-        integer, intent(in) :: axis           !! 1: x, 2: y
-        type(place_type), intent(in) :: place !! where on the arc
-        real(dp) :: at(2)
-        at = point(arc, place)
-        coordinate = at(axis)
-    end function coordinate
 
-    !> How far decimals meant to be equal may differ on an arc, deck units.
-    pure real(dp) function extent_noise(arc, places) result(noise)
-        type(arc_type), intent(in) :: arc         !! any arc
-        type(place_type), intent(in) :: places(:) !! its extremes
-        integer :: i
-        noise = 0.0_dp
-        do i = 1, size(places)
-            noise = max(noise, rounding(arc%start, arc%finish, point(arc, places(i))))
-        end do
-    end function extent_noise
 
-    !> Counts the steps strictly between two ordinates, and looks whether one meets the second.
-    pure subroutine count_steps(grid, from, to, noise, stretch, error)
-        type(grid_type), intent(in) :: grid                 !! the stepped ordinates
-        real(dp), intent(in) :: from                        !! where the stretch starts, deck units
-        real(dp), intent(in) :: to                          !! where it ends, further than `noise`
-        real(dp), intent(in) :: noise                       !! within this, ordinates are equal
-        type(stretch_type), intent(inout) :: stretch        !! counts are filled in
-        type(error_type), allocatable, intent(out) :: error !! see `contour_of`
-        integer(i64) :: last
-        logical :: upward
 
-        call check_steps(grid, from, to, error)
-        if (allocated(error)) return
-        stretch%rising = to > from
-        upward = grid%ordinate(1_i64) > grid%ordinate(0_i64)
-        stretch%stride = merge(1_i64, -1_i64, stretch%rising .eqv. upward)
-        stretch%first = step_inside(grid, from, sign(noise, to - from), stretch%stride)
-        last = step_inside(grid, to, sign(noise, from - to), -stretch%stride)
-        stretch%count = max(0_i64, (last - stretch%first)*stretch%stride + 1_i64)
-        stretch%touched = nint(grid%steps_to(to), i64)
-        stretch%touches = abs(grid%ordinate(stretch%touched) - to) <= noise
-    end subroutine count_steps
 
-    !> The first step that is inside of an end of a stretch.
-    pure integer(i64) function step_inside(grid, edge, margin, inwards) result(k)
-        type(grid_type), intent(in) :: grid !! the stepped ordinates
-        real(dp), intent(in) :: edge        !! ordinate of the end, deck units
-        real(dp), intent(in) :: margin      !! how far inside it must be; its sign says which way
-        integer(i64), intent(in) :: inwards !! 1 or -1: which way the steps go inwards
 
-        k = nint(grid%steps_to(edge), i64) - inwards
-        do while (.not. (grid%ordinate(k) - edge)*sign(1.0_dp, margin) > abs(margin))
-            k = k + inwards
-        end do
-    end function step_inside
-
-    !> The length of a step; zero where it is lost beside the first ordinate.
-    pure real(dp) function step_of(grid)
-        type(grid_type), intent(in) :: grid !! the stepped ordinates
-        step_of = abs(grid%ordinate(1_i64) - grid%ordinate(0_i64))
-    end function step_of
-
-    !> Fails where the steps of a stretch are too many to make or to count.
-    pure subroutine check_steps(grid, from, to, error)
-        type(grid_type), intent(in) :: grid                 !! the stepped ordinates
-        real(dp), intent(in) :: from                        !! where the stretch starts, deck units
-        real(dp), intent(in) :: to                          !! where it ends, deck units
-        type(error_type), allocatable, intent(out) :: error !! see `contour_of`
-        real(dp) :: start, step
-
-        start = grid%ordinate(0_i64)
-        step = step_of(grid)
-        if (abs(to - from) > largest_table*step) then
-            call refuse(abs(to - from), grid%step_length(), error)
-        else if (max(abs(from - start), abs(to - start)) > furthest_step*step) then
-            call fail(error, cause%increment, 'the arc is more than '//compact(furthest_step)// &
-                ' steps away from the first ordinate; start the steps nearer to it')
-        end if
-    end subroutine check_steps
-
-    !> The error of a table that is too long.
-    pure subroutine refuse(span, step, error)
-        real(dp), intent(in) :: span                        !! length to step along, deck units
-        real(dp), intent(in) :: step                        !! length of a step, deck units
-        type(error_type), allocatable, intent(out) :: error !! allocated on return
-        character(:), allocatable :: rows
-        real(dp), parameter :: countable = 1.0e15_dp
-
-        rows = 'more rows than can be counted'
-        if (span < countable*step) rows = to_text(nint(span/step, i64) + 1_i64)//' rows'
-        call fail(error, cause%too_many, 'an increment of '//compact(step)//' over '// &
-            compact(span)//' makes '//rows//'; LOFT makes at most '//to_text(largest_table)// &
-            ' in a table: take an increment of '//compact(2.0_dp*span/largest_table)//' or more')
-    end subroutine refuse
 
 end module geom_contour

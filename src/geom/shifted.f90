@@ -10,9 +10,9 @@ module geom_shifted
     use base_exact, only: is_zero
     use base_kinds, only: dp
     use geom_arc, only: arc_type, end_type
-    use geom_arc_point, only: point
+    use geom_arc_rows, only: coordinates, places_type
     use geom_lapack, only: solve
-    use geom_place, only: place_at
+    use geom_twofold_rows, only: exact_difference, rows_at_once
     implicit none (type, external)
     private
 
@@ -27,6 +27,8 @@ module geom_shifted
 
     !> Places of an arc at which it is compared.
     integer, parameter :: compared = 25
+    !> 1 and 0 in every row.
+    real(dp), parameter :: whole(rows_at_once) = 1.0_dp, nothing(rows_at_once) = 0.0_dp
 
 contains
 
@@ -71,11 +73,21 @@ contains
     pure real(dp) function difference_from(conic, arc) result(largest)
         type(shifted_type), intent(in) :: conic !! the conic of the same card
         type(arc_type), intent(in) :: arc       !! the arc
-        integer :: i
-        largest = 0.0_dp
-        do i = 0, compared - 1
-            largest = max(largest, distance(conic, &
-                point(arc, place_at(real(i, dp)/real(compared - 1, dp)))))
+        real(dp), dimension(rows_at_once) :: t, x, y
+        type(places_type) :: places
+        integer :: i, first
+
+        largest = max(distance(conic, arc%start), distance(conic, arc%finish))
+        do first = 1, compared - 2, rows_at_once
+            t = [(real(min(first + i, compared - 2), dp)/real(compared - 1, dp), &
+                i=0, rows_at_once - 1)]
+            places%alpha = exact_difference(whole, t)
+            places%beta = exact_difference(t, nothing)
+            x = coordinates(arc, 1, places)
+            y = coordinates(arc, 2, places)
+            do i = 1, min(rows_at_once, compared - 1 - first)
+                largest = max(largest, distance(conic, [x(i), y(i)]))
+            end do
         end do
     end function difference_from
 

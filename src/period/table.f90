@@ -127,28 +127,21 @@ contains
     pure subroutine check_length(table, error)
         type(table_type), intent(in) :: table               !! ordinates and step
         type(error_type), allocatable, intent(out) :: error !! `cause%too_many`
+        real(dp), parameter :: most_counted = 1.0e15_dp
+        character(:), allocatable :: rows
         real(dp) :: steps
 
         steps = (to_real(table%last) - to_real(table%first))/to_real(table%step)
         if (steps > real(largest_table, dp) + 1.5_dp) then
+            rows = compact(steps)
+            if (steps < most_counted) rows = to_text(ceiling(steps, i64) - 1)
             call fail(error, cause%too_many, 'the '//table%axis//' table would have '// &
-                count_text(steps)//' rows, and the most is '//to_text(largest_table)// &
+                rows//' rows, and the most is '//to_text(largest_table)// &
                 ': punch a larger '//table%axis//'I')
         else if (steps > 1.0_dp .and. is_zero((table%first + table%step) - table%first)) then
             call fail(error, cause%too_many, 'the '//table%axis//' table would not end: '// &
                 table%axis//'I is too small to change '//table%axis//': punch a larger one')
         end if
     end subroutine check_length
-
-    !> The rows of a table of that many steps, point 3 not among them.
-    pure function count_text(steps) result(text)
-        real(dp), intent(in) :: steps !! steps from point 1 to point 3
-        character(:), allocatable :: text
-        if (steps < 1.0e15_dp) then
-            text = to_text(ceiling(steps, i64) - 1)
-        else
-            text = compact(steps)
-        end if
-    end function count_text
 
 end module period_table

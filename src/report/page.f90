@@ -2,6 +2,7 @@
 !> is lost because a page was full.
 module report_page
     use base_constants, only: version
+    use base_kinds, only: i64
     use base_output, only: output_type
     use base_text, only: characters, first_bytes, printable, row_of, to_text
     implicit none (type, external)
@@ -38,6 +39,8 @@ module report_page
         procedure :: paragraph
         procedure :: blank
         procedure :: keep
+        procedure :: kept_lines
+        procedure :: equal_lines
         procedure :: set_columns
         procedure :: end_columns
         procedure, private :: spread_out
@@ -116,6 +119,38 @@ contains
         integer, intent(in) :: lines            !! lines that belong together
         if (page%used + lines > page%lines) call turn(page, out)
     end subroutine keep
+
+    !> Prints lines for which `keep` has made room, from the beginning of a text.
+    subroutine kept_lines(page, out, text, bytes, lines)
+        class(page_type), intent(inout) :: page !! the listing
+        type(output_type), intent(inout) :: out !! where they go
+        type(output_type), intent(in) :: text   !! has them; nothing in them but what prints
+        integer(i64), intent(in) :: bytes       !! of all of them, line feeds included
+        integer, intent(in) :: lines            !! how many
+        call text%pour(out, 1_i64, bytes)
+        page%used = page%used + lines
+    end subroutine kept_lines
+
+    !> Prints lines of equal length, as many on a page as fit.
+    subroutine equal_lines(page, out, text, before, length, lines)
+        class(page_type), intent(inout) :: page !! the listing
+        type(output_type), intent(inout) :: out !! where they go
+        type(output_type), intent(in) :: text   !! has them; nothing in them but what prints
+        integer(i64), intent(in) :: before      !! bytes of the text in front of them
+        integer, intent(in) :: length           !! bytes of each, its line feed included
+        integer, intent(in) :: lines            !! how many
+        integer :: done, fitting
+
+        done = 0
+        do while (done < lines)
+            if (page%used >= page%lines) call turn(page, out)
+            fitting = min(lines - done, page%lines - page%used)
+            call text%pour(out, before + int(done, i64)*int(length, i64) + 1_i64, &
+                before + int(done + fitting, i64)*int(length, i64))
+            page%used = page%used + fitting
+            done = done + fitting
+        end do
+    end subroutine equal_lines
 
     !> Prints a column heading and repeats it on every page from now on.
     subroutine set_columns(page, out, head)

@@ -6,11 +6,13 @@ program test_conic_listing
     use base_output, only: output_type
     use body_card_arc, only: arc_of_card
     use body_card_facts, only: card_facts_type, facts_of_card
-    use body_card_tables, only: card_table_type, tables_of_card
+    use body_card_tables, only: contours_of_card
     use deck_conic_card, only: conic_card_type, read_conic_card
     use deck_control_card, only: heading_type
     use deck_source, only: line_type
     use geom_arc, only: arc_type
+    use geom_contour, only: contour_type
+    use report_card_block, only: card_block_type
     use report_conic_listing, only: conic_listing_type
     use support_tap, only: tap_type
     implicit none (type, external)
@@ -61,7 +63,8 @@ contains
         type(output_type) :: out
         type(conic_card_type) :: card
         type(card_facts_type) :: facts
-        type(card_table_type), allocatable :: tables(:)
+        type(contour_type), allocatable :: contours(:)
+        type(card_block_type) :: block
         type(fault_list_type) :: faults
         type(heading_type) :: heading
         type(line_type) :: line
@@ -75,13 +78,14 @@ contains
         card%count = 1
         call read_conic_card(line, card, faults)
         call arc_of_card(card, arc, has_arc, faults)
-        allocate (tables(0))
+        allocate (contours(0))
         if (has_arc) then
             facts = facts_of_card(card, arc, decimal_type(100, 0))
-            call tables_of_card(card, arc, tables, faults)
+            call contours_of_card(card, arc, contours, faults)
         end if
         call listing%begin(heading, 'quarter.crd')
-        call listing%print_card(card, facts, tables, out)
+        call block%make(card, facts, contours)
+        call listing%print_block(block, out)
         text = out%text()
     end function listing_of
 

@@ -1,0 +1,134 @@
+!> What an arc is at many places side by side: the figures of `geom_crossing` and `geom_arc_point`,
+!> bit for bit, by the same formulas.
+module geom_arc_rows
+    use base_exact, only: is_zero
+    use base_kinds, only: dp
+    use geom_arc, only: arc_type
+    use geom_arc_point, only: slope_along, slope_type
+    use geom_twofold, only: operator(-), twofold
+    use geom_twofold_rows, only: exact_difference, operator(*), operator(+), operator(-), &
+        operator(/), rows_at_once, rows_type, selected, sqrt, to_real
+    use geom_vector, only: cross
+    implicit none (type, external)
+    private
+
+    public :: places_type, arc_rows_type, crossings, coordinates, find_arc_rows
+
+    !> Places on an arc, as `place_type`.
+    type :: places_type
+        type(rows_type) :: alpha !! shares of the start
+        type(rows_type) :: beta  !! shares of the finish
+    end type places_type
+
+    !> Points of an arc with what the tables say of them.
+    type :: arc_rows_type
+        real(dp) :: x(rows_at_once) = 0.0_dp            !! deck units
+        real(dp) :: y(rows_at_once) = 0.0_dp            !! deck units
+        type(slope_type) :: slope(rows_at_once)         !! dy/dx, or vertical
+        real(dp) :: curvature(rows_at_once) = 0.0_dp    !! 1/deck unit
+    end type arc_rows_type
+
+contains
+
+    !> The rows where a curved arc passes some ordinates, which stand in them as they are.
+    pure subroutine find_arc_rows(arc, axis, ordinate, rising, rows)
+        type(arc_type), intent(in) :: arc               !! not a line
+        integer, intent(in) :: axis                     !! 1: x is stepped, 2: y
+        real(dp), intent(in) :: ordinate(rows_at_once)  !! between the ends of a stretch, deck units
+        logical, intent(in) :: rising                   !! the coordinate increases along the arc
+        type(arc_rows_type), intent(out) :: rows        !! the rows
+        type(places_type) :: places
+        type(rows_type) :: n(2), pace
+        real(dp), dimension(rows_at_once) :: run, rise
+        integer :: i
+
+        places = crossings(arc, axis, ordinate, rising)
+        rows%x = ordinate
+        rows%y = ordinate
+        if (axis == 1) rows%y = coordinates(arc, 2, places)
+        if (axis == 2) rows%x = coordinates(arc, 1, places)
+        n(1) = hodographs(arc, 1, places)
+        n(2) = hodographs(arc, 2, places)
+        run = to_real(n(1))
+        rise = to_real(n(2))
+        do i = 1, rows_at_once
+            rows%slope(i) = slope_along([run(i), rise(i)])
+        end do
+        pace = denominators(arc, places)/sqrt(n(1)*n(1) + n(2)*n(2))
+        rows%curvature = to_real(cross(arc%bulge, arc%half)*pace*pace*pace)/arc%size
+    end subroutine find_arc_rows
+
+    !> The places where an arc passes some ordinates, upwards or downwards.
+    pure type(places_type) function crossings(arc, axis, ordinate, rising) result(places)
+        type(arc_type), intent(in) :: arc               !! any arc
+        integer, intent(in) :: axis                     !! 1: x, 2: y
+        real(dp), intent(in) :: ordinate(rows_at_once)  !! U, deck units
+        logical, intent(in) :: rising                   !! the coordinate increases there
+        type(rows_type) :: before, after, middle, root
+        logical, dimension(rows_at_once) :: agree, turned
+
+        before = in_size(arc, exact_difference(ordinate, spread_out(arc%start(axis))))
+        after = in_size(arc, exact_difference(spread_out(arc%finish(axis)), ordinate))
+        middle = arc%bulge(axis) - 0.5_dp*((before - after)*(arc%fullness - twofold(1.0_dp)))
+        root = sqrt(middle*middle + before*after)
+        if (.not. rising) root = -root
+        agree = root%high*middle%high > 0.0_dp .or. is_zero(middle%high)
+        places%alpha = selected(middle + root, after, agree)
+        places%beta = selected(before, root - middle, agree)
+        turned = places%alpha%high < 0.0_dp .or. places%beta%high < 0.0_dp
+        places%alpha = selected(-places%alpha, places%alpha, turned)
+        places%beta = selected(-places%beta, places%beta, turned)
+    end function crossings
+
+    !> Differences of coordinates in `size` of the arc, exactly.
+    pure type(rows_type) function in_size(arc, difference)
+        type(arc_type), intent(in) :: arc         !! any arc
+        type(rows_type), intent(in) :: difference !! deck units
+        in_size%high = difference%high/arc%size
+        in_size%low = difference%low/arc%size
+    end function in_size
+
+    !> A number in every row.
+    pure function spread_out(x) result(all)
+        real(dp), intent(in) :: x !! any number
+        real(dp) :: all(rows_at_once)
+        all = x
+    end function spread_out
+
+    !> One coordinate of places between the ends, deck units.
+    pure function coordinates(arc, axis, places) result(coordinate)
+        type(arc_type), intent(in) :: arc        !! any arc
+        integer, intent(in) :: axis              !! 1: x, 2: y
+        type(places_type), intent(in) :: places  !! where on it, no end
+        real(dp) :: coordinate(rows_at_once)
+        type(rows_type) :: rise, along, offset
+
+        associate (a => places%alpha, b => places%beta)
+            rise = 2.0_dp*(a*b)*arc%bulge(axis)
+            along = (b - a)*(b + a)*arc%half(axis)
+            offset = arc%half(axis) + (rise + along)/denominators(arc, places)
+            coordinate = to_real(twofold(arc%start(axis)) + arc%size*offset)
+        end associate
+    end function coordinates
+
+    !> D of `geom_arc_point`.
+    pure type(rows_type) function denominators(arc, places)
+        type(arc_type), intent(in) :: arc        !! any arc
+        type(places_type), intent(in) :: places  !! where on it
+        type(rows_type) :: apart
+
+        apart = places%alpha - places%beta
+        denominators = apart*apart + 2.0_dp*(places%alpha*places%beta)*arc%fullness
+    end function denominators
+
+    !> One component of n of `geom_arc_point`.
+    pure type(rows_type) function hodographs(arc, axis, places) result(n)
+        type(arc_type), intent(in) :: arc        !! any arc
+        integer, intent(in) :: axis              !! 1: x, 2: y
+        type(places_type), intent(in) :: places  !! where on it
+        associate (a => places%alpha, b => places%beta)
+            n = a*a*arc%leaving(axis) + 2.0_dp*(a*b)*arc%half(axis) + b*b*arc%arriving(axis)
+        end associate
+    end function hodographs
+
+end module geom_arc_rows
