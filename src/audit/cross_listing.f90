@@ -68,7 +68,10 @@ contains
 
         number = 0
         do i = 1, size(found%item)
-            if (.not. found%item(i)%is_audited) cycle
+            if (.not. found%item(i)%is_audited) then
+                number(0) = number(0) + count(found%item(i)%entry > 0)
+                cycle
+            end if
             do k = 1, size(found%item(i)%entry)
                 if (found%item(i)%entry(k) == 0) cycle
                 associate (at => found%item(i)%audit%finding(k)%verdict)

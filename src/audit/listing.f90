@@ -97,8 +97,8 @@ contains
 
         call page%blank(out)
         call page%keep(out, 9)
-        call page%line(out, merge('STRAIGHT FROM X ', 'CONIC FROM X    ', &
-            piece%fit%problem%is_straight)//shortest(piece%first)//' TO '// &
+        call page%line(out, trim(merge('STRAIGHT', 'CONIC   ', &
+            piece%fit%problem%is_straight))//' FROM X '//shortest(piece%first)//' TO '// &
             shortest(piece%last)//':    LINE, LEAST, MOST, ROUND NUMBERS')
         do k = 1, size(piece%parameter)
             if (piece%parameter(k)%exists) call page%paragraph(out, parameter_row( &

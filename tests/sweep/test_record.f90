@@ -16,7 +16,7 @@ program test_record
     type(record_type) :: record, back
     logical :: is_sound
     integer :: i, wrong, taken
-    character(:), allocatable :: row
+    character(:), allocatable :: row, text
 
     study = ellipsoid_study(ellipsoid_text('1.,2.,2', '1.,2.,2', &
         'OBJECT,VOLUME,MAX|OBJECT,WETTED,MIN|LIMIT,VOLUME,1.'), tap)
@@ -38,9 +38,10 @@ program test_record
         'a row is one line, whatever was on the cards')
     wrong = 0
     do i = 1, 2000
+        text = columns(quotes, 1, 3*mod(i, 3))
         record = record_type(1 + mod(i, 4), [any_number(), any_number()], &
             [any_number(), any_number()], [.true., mod(i, 3) > 0], 1 + mod(i, 3), mod(i, 5) == 0, &
-            columns(quotes, 1, 3*mod(i, 3)))
+            text)
         if (.not. record%has(2)) record%measure(2) = 0.0_dp
         row = row_of_record(record, .true.)
         call read_row(row, study, back, is_sound)
