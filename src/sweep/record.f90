@@ -29,6 +29,9 @@ module sweep_record
     !> The states in words, from `state%ok`.
     character(*), parameter, public :: state_word(3) = ['ok   ', 'limit', 'fault']
 
+    !> Characters of a number in a row, and the power of ten behind them, at most.
+    integer, parameter :: longest_number = 28, largest_exponent = 280
+
     !> A variant.
     type :: record_type
         integer :: number = 0                   !! which, from 1
@@ -158,11 +161,23 @@ contains
         call take_field(row, next, text, is_sound)
         has = text /= ''
         if (.not. is_sound .or. .not. has) return
-        is_sound = verify(text, '0123456789+-.e') == 0
+        is_sound = verify(text, '0123456789+-.e') == 0 .and. len(text) <= longest_number
+        if (is_sound) is_sound = is_of_range(text)
         if (.not. is_sound) return
         read (text, *, iostat=trouble) number
-        is_sound = trouble == 0 .and. abs(number) <= huge(number)
+        is_sound = trouble == 0
     end subroutine take_number
+
+    !> True for a number whose power of ten a double is sure to hold.
+    pure logical function is_of_range(text)
+        character(*), intent(in) :: text !! figures, signs, points and the letter e
+        integer :: power, trouble
+
+        power = 0
+        trouble = 0
+        if (index(text, 'e') > 0) read (text(index(text, 'e') + 1:), *, iostat=trouble) power
+        is_of_range = trouble == 0 .and. abs(power) < largest_exponent
+    end function is_of_range
 
     !> Takes state, front and why.
     pure subroutine take_state(row, next, record, is_sound)

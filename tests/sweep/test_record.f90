@@ -78,7 +78,7 @@ contains
 
     !> A number of any size.
     real(dp) function any_number()
-        any_number = random%sign()*10.0_dp**random%between(-300.0_dp, 300.0_dp)
+        any_number = random%sign()*10.0_dp**random%between(-250.0_dp, 250.0_dp)
     end function any_number
 
     !> A text is no row.
