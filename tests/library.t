@@ -114,6 +114,7 @@ $cc -std=c99 $strict tests/library/rows.c $flags -o "$folder/rows" 2> "$folder/l
 ok $? 'rows.c is compiled' "$(cat "$folder/log")"
 for deck in cards/*.crd; do
     case $MODE$deck in debug*fuselage*) continue ;; esac    # minutes
+    case $deck in cards/audit-*) continue ;; esac           # of printed tables, not of the library
     "$folder/rows" "$deck" > "$folder/got.csv"
     "$LOFT" run --format csv "$deck" 2> "$folder/log" | tail -n +2 > "$folder/want.csv"
     same "$folder/want.csv" "$folder/got.csv" > "$folder/difference"

@@ -1,7 +1,7 @@
 !> A deck held whole: read, its bodies built, cut and judged, its faults found, as plain data.
 module api_deck
     use api_computed_body, only: computed_body_type, judge_body
-    use base_error, only: error_type
+    use base_error, only: cause, error_type, fail
     use base_fault, only: fault_list_type
     use body_card_arc, only: arc_of_card
     use body_card_tables, only: card_table_type, tables_of_card
@@ -48,7 +48,8 @@ contains
 
     !> Reads a deck. Faults of its cards are in its list; what is sound is there.
     !>
-    !> Fails with `cause%file_trouble` where the source can't be read.
+    !> Fails with `cause%file_trouble` where the source can't be read, and with `cause%usage` where
+    !> it is a deck of printed tables.
     subroutine read_deck(source, deck, error)
         type(source_type), intent(inout) :: source          !! where its lines come from
         type(deck_type), intent(out) :: deck                !! the deck
@@ -60,6 +61,10 @@ contains
         deck%units = 'INCHES'
         call read_opening(source, opening, deck%faults, error)
         if (allocated(error)) return
+        if (opening%kind >= deck_kind_of%audit) then
+            call fail(error, cause%usage, 'a deck of printed tables, which loft audit reads')
+            return
+        end if
         deck%is_body_deck = opening%kind == deck_kind_of%body
         if (deck%is_body_deck) then
             call read_bodies(source, opening, deck, error)

@@ -93,6 +93,7 @@ contains
             last = min(i + width - 1, size(stations))
             sta = stations(i)
             sta(:last - i + 1) = stations(i:last)
+            is_smooth = .true.
             call line_jets(line, sta, .false., jets, is_smooth)
             at(1, i:last) = jets(1)%value(:last - i + 1)
             at(2, i:last) = jets(2)%value(:last - i + 1)
