@@ -170,7 +170,7 @@ pictures: $(LOFT) deps-test         ## draws the pictures of the README (doc/*.s
 
 # Each program of tests/bench prints a section of doc/performance.md and leaves the data of its
 # pictures in build/bench; plot/bench_NAME.gp draws doc/performance-NAME.svg from them.
-bench: $(LOFT) $(BENCHES)           ## measures the speed: doc/performance.md
+bench: $(LOFT) $(BENCHES) $(BUILD)/bench/plain ## measures the speed: doc/performance.md
 	$(if $(BENCHES),,$(error there is no program in tests/bench))
 	@mkdir -p $(BUILD)/bench
 	@LOFT=$(abspath $(LOFT)) BENCH=$(abspath $(BUILD)/bench) JUDGES=$(abspath $(JUDGES)) \
@@ -181,6 +181,10 @@ bench: $(LOFT) $(BENCHES)           ## measures the speed: doc/performance.md
 	        output_file = '../doc/performance-$$p.svg'" bench_$$p.gp) || exit 1; done
 	@cp $(BUILD)/bench/performance.md doc/performance.md
 	@echo "written: doc/performance.md"
+
+$(BUILD)/bench/plain: tests/bench/plain.c
+	@mkdir -p $(@D)
+	@gcc -O2 $< -lm -o $@
 
 # --- proof --------------------------------------------------------------------------------------
 

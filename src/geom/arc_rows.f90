@@ -5,14 +5,15 @@ module geom_arc_rows
     use base_kinds, only: dp
     use geom_arc, only: arc_type
     use geom_arc_point, only: slope_along, slope_type
-    use geom_twofold, only: operator(-), twofold
+    use geom_place, only: place_type
+    use geom_twofold, only: operator(-), twofold, twofold_type
     use geom_twofold_rows, only: exact_difference, operator(*), operator(+), operator(-), &
         operator(/), rows_at_once, rows_type, selected, sqrt, to_real
     use geom_vector, only: cross
     implicit none (type, external)
     private
 
-    public :: places_type, arc_rows_type, crossings, coordinates, find_arc_rows
+    public :: places_type, arc_rows_type, place_of_row, crossings, coordinates, find_arc_rows
 
     !> Places on an arc, as `place_type`.
     type :: places_type
@@ -26,6 +27,7 @@ module geom_arc_rows
         real(dp) :: y(rows_at_once) = 0.0_dp            !! deck units
         type(slope_type) :: slope(rows_at_once)         !! dy/dx, or vertical
         real(dp) :: curvature(rows_at_once) = 0.0_dp    !! 1/deck unit
+        type(places_type) :: places                     !! where on the arc
     end type arc_rows_type
 
 contains
@@ -36,25 +38,24 @@ contains
         integer, intent(in) :: axis                     !! 1: x is stepped, 2: y
         real(dp), intent(in) :: ordinate(rows_at_once)  !! between the ends of a stretch, deck units
         logical, intent(in) :: rising                   !! the coordinate increases along the arc
-        type(arc_rows_type), intent(out) :: rows        !! the rows
-        type(places_type) :: places
+        type(arc_rows_type), intent(inout) :: rows      !! gets them
         type(rows_type) :: n(2), pace
         real(dp), dimension(rows_at_once) :: run, rise
         integer :: i
 
-        places = crossings(arc, axis, ordinate, rising)
+        rows%places = crossings(arc, axis, ordinate, rising)
         rows%x = ordinate
         rows%y = ordinate
-        if (axis == 1) rows%y = coordinates(arc, 2, places)
-        if (axis == 2) rows%x = coordinates(arc, 1, places)
-        n(1) = hodographs(arc, 1, places)
-        n(2) = hodographs(arc, 2, places)
+        if (axis == 1) rows%y = coordinates(arc, 2, rows%places)
+        if (axis == 2) rows%x = coordinates(arc, 1, rows%places)
+        n(1) = hodographs(arc, 1, rows%places)
+        n(2) = hodographs(arc, 2, rows%places)
         run = to_real(n(1))
         rise = to_real(n(2))
         do i = 1, rows_at_once
             rows%slope(i) = slope_along([run(i), rise(i)])
         end do
-        pace = denominators(arc, places)/sqrt(n(1)*n(1) + n(2)*n(2))
+        pace = denominators(arc, rows%places)/sqrt(n(1)*n(1) + n(2)*n(2))
         rows%curvature = to_real(cross(arc%bulge, arc%half)*pace*pace*pace)/arc%size
     end subroutine find_arc_rows
 
@@ -79,6 +80,14 @@ contains
         places%alpha = selected(-places%alpha, places%alpha, turned)
         places%beta = selected(-places%beta, places%beta, turned)
     end function crossings
+
+    !> One of many places.
+    pure type(place_type) function place_of_row(places, i) result(place)
+        type(places_type), intent(in) :: places !! the places
+        integer, intent(in) :: i                !! which
+        place%alpha = twofold_type(places%alpha%high(i), places%alpha%low(i))
+        place%beta = twofold_type(places%beta%high(i), places%beta%low(i))
+    end function place_of_row
 
     !> Differences of coordinates in `size` of the arc, exactly.
     pure type(rows_type) function in_size(arc, difference)

@@ -8,9 +8,11 @@ module geom_contour
     use base_kinds, only: dp, i64
     use geom_arc, only: arc_type
     use geom_arc_point, only: curvature, point, slope, slope_type
+    use geom_arc_rows, only: arc_rows_type, find_arc_rows, place_of_row
     use geom_crossing, only: crossing
     use geom_place, only: at_finish, at_start, place_type
     use geom_stretch, only: divide, stretch_type
+    use geom_twofold_rows, only: rows_at_once
     implicit none (type, external)
     private
 
@@ -37,6 +39,9 @@ module geom_contour
         procedure :: row_count
         procedure :: row
     end type contour_type
+
+    !> Rows that are worth working side by side.
+    integer, parameter :: fewest_side_by_side = 3
 
 contains
 
@@ -73,20 +78,53 @@ contains
     pure subroutine make_rows(contour, rows)
         class(contour_type), intent(in) :: contour                       !! the table
         type(contour_point_type), allocatable, intent(out) :: rows(:)    !! in order along the arc
-        integer :: i, next
-        integer(i64) :: k
+        integer :: i, next, steps
 
         allocate (rows(contour%row_count()))
         rows(1) = contour_point(contour%arc, at_start)
         next = 2
         do i = 1, size(contour%stretch)
-            do k = 1, contour%stretch(i)%count + merge(1_i64, 0_i64, contour%stretch(i)%touches)
-                rows(next) = contour%row(i, k)
-                next = next + 1
-            end do
+            steps = int(contour%stretch(i)%count)
+            call make_steps(contour, i, rows(next:next + steps - 1))
+            next = next + steps
+            if (.not. contour%stretch(i)%touches) cycle
+            rows(next) = contour%row(i, int(steps, i64) + 1_i64)
+            next = next + 1
         end do
         rows(next) = contour_point(contour%arc, at_finish)
     end subroutine make_rows
+
+    !> Makes the rows of the steps of a stretch, many side by side where there are many.
+    pure subroutine make_steps(contour, i, rows)
+        type(contour_type), intent(in) :: contour               !! the table
+        integer, intent(in) :: i                                !! which stretch
+        type(contour_point_type), intent(inout) :: rows(:)      !! gets them
+        type(arc_rows_type) :: found
+        real(dp) :: ordinate(rows_at_once)
+        integer :: done, k, count
+
+        done = 0
+        do while (done < size(rows))
+            count = min(rows_at_once, size(rows) - done)
+            if (count < fewest_side_by_side .or. contour%arc%is_line) then
+                do k = done + 1, done + count
+                    rows(k) = contour%row(i, int(k, i64))
+                end do
+            else
+                associate (it => contour%stretch(i))
+                    call contour%grid%put_ordinates(it%first + int(done, i64)*it%stride, &
+                        it%stride, ordinate(:count))
+                    ordinate(count + 1:) = ordinate(count)
+                    call find_arc_rows(contour%arc, contour%axis, ordinate, it%rising, found)
+                end associate
+                do k = 1, count
+                    rows(done + k) = contour_point_type(found%x(k), found%y(k), found%slope(k), &
+                        found%curvature(k), place_of_row(found%places, k))
+                end do
+            end if
+            done = done + count
+        end do
+    end subroutine make_steps
 
     !> How many rows a table has.
     pure integer function row_count(contour)

@@ -5,7 +5,7 @@ program test_arc_rows
     use base_kinds, only: dp, i64
     use geom_arc, only: arc_type
     use geom_arc_point, only: point
-    use geom_arc_rows, only: arc_rows_type, coordinates, find_arc_rows, places_type
+    use geom_arc_rows, only: arc_rows_type, coordinates, find_arc_rows, place_of_row, places_type
     use geom_contour, only: contour_point_type, contour_type, new_contour
     use geom_place, only: place_at, place_type
     use geom_twofold_rows, only: exact_difference, rows_at_once
@@ -55,6 +55,7 @@ contains
         type(arc_rows_type) :: found
         type(contour_point_type) :: row
         real(dp) :: ordinate(rows_at_once)
+        type(place_type) :: alone
         integer :: k, count
 
         count = int(min(contour%stretch(i)%count, int(rows_at_once, i64)))
@@ -69,10 +70,13 @@ contains
         do k = 1, count
             row = contour%row(i, int(k, i64))
             rows = rows + 1
+            alone = place_of_row(found%places, k)
             if (.not. (is_same(found%x(k), row%x) .and. is_same(found%y(k), row%y) .and. &
                 is_same(found%slope(k)%value, row%slope%value) .and. &
                 (found%slope(k)%is_vertical .eqv. row%slope%is_vertical) .and. &
-                is_same(found%curvature(k), row%curvature))) wrong = wrong + 1
+                is_same(found%curvature(k), row%curvature) .and. &
+                is_same(alone%alpha%low, row%place%alpha%low) .and. &
+                is_same(alone%beta%high, row%place%beta%high))) wrong = wrong + 1
         end do
     end subroutine check_stretch
 
