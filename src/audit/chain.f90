@@ -32,6 +32,7 @@ contains
 
     !> Deals out the readings of a line to its conics: `chosen(:, i)` are those of the i-th. The
     !> rows of the table stand in order along the line; what else is known goes to the nearest rows.
+    !> Rows too few for any conic go to the first; there are too few for the others then.
     pure subroutine split_line(line, scale, chosen)
         type(line_type), intent(in) :: line                !! the line
         type(scale_type), intent(in) :: scale              !! of its table
@@ -49,7 +50,11 @@ contains
             .not. problem%is_exact)
         allocate (cost(size(row), most_candidates), piece(size(row)), before(size(row)))
         candidates = 0
-        call gather(problem, row, line%conics, cost, candidates)
+        if (size(row) >= line%conics) call gather(problem, row, line%conics, cost, candidates)
+        if (candidates == 0) then
+            chosen(:, 2:) = .false.
+            return
+        end if
         before = 0
         do round = 1, most_rounds
             call split_rows(cost(:, :candidates), line%conics, piece)
