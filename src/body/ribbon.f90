@@ -113,9 +113,17 @@ contains
         real(dp) :: point(3), along(0:2, 0:2, 0:1), normal(3)
 
         along = blend_jet(blend%slopes, t)
-        point = matmul(f%slope, along(0, 0, :)) + matmul(f%twist, along(0, 1, :))
+        point = between(f%slope, along(0, 0, :)) + between(f%twist, along(0, 1, :))
         normal = normal_at(f, t)
-        point = point - dot_product(point, normal)*normal + matmul(f%rest, along(0, 0, :))
+        point = point - dot_product(point, normal)*normal + between(f%rest, along(0, 0, :))
     end function ribbon_at
+
+    !> What is given at both ends, in shares: worked in one order, however it is compiled.
+    pure function between(ends, share) result(vector)
+        real(dp), intent(in) :: ends(3, 0:1)    !! at the ends of a side
+        real(dp), intent(in) :: share(0:1)      !! of each
+        real(dp) :: vector(3)
+        vector = ends(:, 0)*share(0) + ends(:, 1)*share(1)
+    end function between
 
 end module body_ribbon

@@ -164,7 +164,8 @@ contains
         end do
     end subroutine find_arcs
 
-    !> The directions of an end slope about stations.
+    !> The directions of an end slope about stations. Sines in vectors would be those of the C
+    !> library at hand, whose last digits differ from processor to processor.
     pure subroutine tangent_jets(lines, slope, sta, has_second, jets)
         type(line_type), intent(in) :: lines(:)     !! of the body
         type(end_slope_type), intent(in) :: slope   !! of a section
@@ -174,6 +175,7 @@ contains
         type(jet_row_type) :: angle
         logical :: is_vertical(width)
         real(dp), dimension(width) :: turn, bend, c, s
+        integer :: i
 
         jets(1) = constant(slope%direction(1))
         jets(2) = constant(slope%direction(2))
@@ -181,8 +183,11 @@ contains
         call row_jets(lines(slope%line)%angle, sta, has_second, angle, is_vertical)
         turn = angle%first/degrees
         bend = angle%second/degrees
-        c = cos(angle%value/degrees)
-        s = sin(angle%value/degrees)
+        !GCC$ novector
+        do i = 1, width
+            c(i) = cos(angle%value(i)/degrees)
+            s(i) = sin(angle%value(i)/degrees)
+        end do
         jets(1) = jet_row_type(c, -s*turn, -c*turn**2 - s*bend)
         jets(2) = jet_row_type(s, c*turn, -s*turn**2 + c*bend)
     end subroutine tangent_jets
