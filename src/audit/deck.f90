@@ -12,7 +12,7 @@ module audit_deck
     use audit_item, only: add_reading, entry_of, is_contradicted, item_type, new_item, number_of, &
         point_of, room, softened
     use audit_printing, only: printed_units, printing
-    use audit_reading, only: meaning, reading_type, sort
+    use audit_reading, only: decimals_met, meaning, reading_type, sort
     use audit_steps, only: judge_step
     use audit_value, only: row_at, value_at, value_type
     use base_error, only: error_type
@@ -86,20 +86,6 @@ contains
         type(item_type), intent(in) :: item !! a table
         is_undecided = item%line%scale%form == form%decimal .and. item%line%scale%decimals < 0
     end function is_undecided
-
-    !> How many figures have how many decimals.
-    pure function decimals_met(reading) result(met)
-        type(reading_type), intent(in) :: reading(:) !! of a table
-        integer :: met(0:figure_length)
-        integer :: i
-        met = 0
-        do i = 1, size(reading)
-            if (reading(i)%meaning /= meaning%printed .or. .not. reading(i)%figure%is_sound) cycle
-            associate (n => met(reading(i)%figure%scale%decimals))
-                n = n + 1
-            end associate
-        end do
-    end function decimals_met
 
     !> True for a section that says which lines its points are on.
     pure logical function held_by_lines(item)

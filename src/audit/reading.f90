@@ -14,7 +14,7 @@ module audit_reading
     implicit none (type, external)
     private
 
-    public :: reading_type, line_type, new_reading, add, common_decimals
+    public :: reading_type, line_type, new_reading, add, common_decimals, decimals_met
 
     !> What a figure is of the line.
     type, public :: sort_list
@@ -97,17 +97,23 @@ contains
     !> The decimals that most figures of a table have, the fewer where two are as frequent.
     pure integer function common_decimals(reading) result(decimals)
         type(reading_type), intent(in) :: reading(:) !! of a line
-        integer :: count(0:figure_length), i
+        decimals = maxloc(decimals_met(reading), dim=1) - 1
+    end function common_decimals
 
-        count = 0
+    !> How many figures of a table have how many decimals.
+    pure function decimals_met(reading) result(met)
+        type(reading_type), intent(in) :: reading(:) !! of a line
+        integer :: met(0:figure_length)
+        integer :: i
+
+        met = 0
         do i = 1, size(reading)
             if (reading(i)%meaning /= meaning%printed) cycle
             if (.not. reading(i)%figure%is_sound .or. reading(i)%sort > sort%abscissa) cycle
-            associate (n => count(reading(i)%figure%scale%decimals))
+            associate (n => met(reading(i)%figure%scale%decimals))
                 n = n + 1
             end associate
         end do
-        decimals = maxloc(count, dim=1) - 1
-    end function common_decimals
+    end function decimals_met
 
 end module audit_reading

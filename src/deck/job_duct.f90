@@ -8,6 +8,7 @@ module deck_job_duct
     use deck_duct, only: duct_type, first_outline
     use deck_job, only: name_length
     use deck_job_list, only: append
+    use deck_job_name, only: check_name
     use deck_job_state, only: find_line, state_type, text_of
     implicit none (type, external)
     private
@@ -34,29 +35,6 @@ contains
         end do
         if (.not. faults%has_errors(before)) call append(state%body%duct, state%ducts, item)
     end subroutine take_duct
-
-    !> Sections, patches and ducts have names of their own: all stand in the same column of tables.
-    pure subroutine check_name(state, card, faults)
-        type(state_type), intent(in) :: state           !! the job so far
-        type(card_type), intent(in) :: card             !! the card
-        type(fault_list_type), intent(inout) :: faults  !! gets a fault where the name is taken
-        character(:), allocatable :: name
-        integer :: i
-
-        name = field_text(card, 2)
-        do i = 1, state%ducts
-            if (state%body%duct(i)%name == name) call blame(card, 2, 'a second DUCT '//name// &
-                '; give it another name', faults)
-        end do
-        do i = 1, state%patches
-            if (state%body%patch(i)%name == name) call blame(card, 2, 'there is a PATCH '//name// &
-                '; give the duct another name', faults)
-        end do
-        do i = 1, state%sections
-            if (state%body%section(i)%name == name) call blame(card, 2, 'there is a SECTION '// &
-                name//'; give the duct another name', faults)
-        end do
-    end subroutine check_name
 
     !> Takes the outline named in a field; it stands aft of the one before.
     pure subroutine take_outline(state, card, field, outlines, faults)

@@ -10,6 +10,7 @@ module deck_job_patch
     use deck_job, only: bound, bound_type, cut, name_length, origin, patch_type, range_type, &
         twist, view
     use deck_job_list, only: append
+    use deck_job_name, only: check_name
     use deck_job_state, only: find_line, line_names, state_type, text_of
     implicit none (type, external)
     private
@@ -47,29 +48,6 @@ contains
         if (.not. faults%has_errors(before)) call check_sides(item, faults)
         if (.not. faults%has_errors(before)) call append(state%body%patch, state%patches, item)
     end subroutine take_patch
-
-    !> Sections, patches and ducts have names of their own: all stand in the same column of tables.
-    pure subroutine check_name(state, card, faults)
-        type(state_type), intent(in) :: state           !! the job so far
-        type(card_type), intent(in) :: card             !! the card
-        type(fault_list_type), intent(inout) :: faults  !! gets a fault where the name is taken
-        character(:), allocatable :: name
-        integer :: i
-
-        name = field_text(card, 2)
-        do i = 1, state%patches
-            if (state%body%patch(i)%name == name) call blame(card, 2, 'a second PATCH '//name// &
-                '; give it another name', faults)
-        end do
-        do i = 1, state%ducts
-            if (state%body%duct(i)%name == name) call blame(card, 2, 'there is a DUCT '//name// &
-                '; give the patch another name', faults)
-        end do
-        do i = 1, state%sections
-            if (state%body%section(i)%name == name) call blame(card, 2, 'there is a SECTION '// &
-                name//'; give the patch another name', faults)
-        end do
-    end subroutine check_name
 
     !> Reads a side: a station, the word POINT, a line with a SIDE view, or else a cut by its name.
     pure subroutine take_side(state, card, field, side, faults)
