@@ -17,6 +17,7 @@ module body_ribbon
     use geom_coons_blend, only: blend, blend_jet
     use geom_coons_spline, only: corner_of, spline_frame_type
     use geom_curve_fit, only: curve_function_type, fit_curve
+    use geom_vector, only: image
     implicit none (type, external)
     private
 
@@ -113,17 +114,9 @@ contains
         real(dp) :: point(3), along(0:2, 0:2, 0:1), normal(3)
 
         along = blend_jet(blend%slopes, t)
-        point = between(f%slope, along(0, 0, :)) + between(f%twist, along(0, 1, :))
+        point = image(f%slope, along(0, 0, :)) + image(f%twist, along(0, 1, :))
         normal = normal_at(f, t)
-        point = point - dot_product(point, normal)*normal + between(f%rest, along(0, 0, :))
+        point = point - dot_product(point, normal)*normal + image(f%rest, along(0, 0, :))
     end function ribbon_at
-
-    !> What is given at both ends, in shares: worked in one order, however it is compiled.
-    pure function between(ends, share) result(vector)
-        real(dp), intent(in) :: ends(3, 0:1)    !! at the ends of a side
-        real(dp), intent(in) :: share(0:1)      !! of each
-        real(dp) :: vector(3)
-        vector = ends(:, 0)*share(0) + ends(:, 1)*share(1)
-    end function between
 
 end module body_ribbon

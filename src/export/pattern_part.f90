@@ -11,6 +11,7 @@ module export_pattern_part
     use export_receipt, only: entity_type, receipt_type
     use geom_bspline, only: bspline_type, mapped_spline
     use geom_spline_cubics, only: cubics_of
+    use geom_vector, only: image
     implicit none (type, external)
     private
 
@@ -156,7 +157,7 @@ contains
 
         axes(1, :) = inch*shape%plane%u
         axes(2, :) = inch*shape%plane%v
-        call mapped_spline(spline, axes, -matmul(axes, shape%plane%origin), flat)
+        call mapped_spline(spline, axes, -image(axes, shape%plane%origin), flat)
     end subroutine flatten
 
     !> Adds Bezier arcs at the end of others: the first point of the first falls on the last one.

@@ -9,6 +9,7 @@ module geom_bspline
     use base_exact, only: is_equal
     use base_kinds, only: dp
     use geom_bspline_basis, only: basis, basis_jet, breaks_of, span_of
+    use geom_vector, only: image
     implicit none (type, external)
     private
 
@@ -133,7 +134,7 @@ contains
         mapped%weight = s%weight
         allocate (mapped%pole(size(shift), size(s%weight)))
         do i = 1, size(s%weight)
-            mapped%pole(:, i) = matmul(matrix, s%pole(:, i)) + shift
+            mapped%pole(:, i) = image(matrix, s%pole(:, i)) + shift
         end do
     end subroutine mapped_spline
 

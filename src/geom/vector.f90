@@ -1,4 +1,4 @@
-!> Products of vectors in a plane, and how a point is written in a sentence.
+!> Products of vectors, and how a point is written in a sentence.
 module geom_vector
     use base_kinds, only: dp, i64
     use base_length, only: compact_length
@@ -7,7 +7,7 @@ module geom_vector
     implicit none (type, external)
     private
 
-    public :: cross, dot, at_text
+    public :: cross, dot, image, at_text
 
     !> The area of the parallelogram of two vectors, positive where the second is to the left.
     interface cross
@@ -20,6 +20,18 @@ module geom_vector
     end interface dot
 
 contains
+
+    !> A matrix times a vector, column after column. (`matmul` sums in an order of each build.)
+    pure function image(matrix, v)
+        real(dp), intent(in) :: matrix(:, :)    !! any
+        real(dp), intent(in) :: v(:)            !! as many numbers as it has columns
+        real(dp) :: image(size(matrix, 1))
+        integer :: j
+        image = 0.0_dp
+        do j = 1, size(v)
+            image = image + v(j)*matrix(:, j)
+        end do
+    end function image
 
     !> `u x v`, the two products exact and their difference rounded once.
     pure real(dp) function cross_real(u, v) result(area)

@@ -2,7 +2,7 @@
 program test_vector
     use base_kinds, only: dp
     use geom_twofold, only: to_real, twofold
-    use geom_vector, only: at_text, cross, dot
+    use geom_vector, only: at_text, cross, dot, image
     use support_tap, only: tap_type
     implicit none (type, external)
 
@@ -21,6 +21,8 @@ program test_vector
         'the inner product agrees with one by hand')
     call tap%ok(to_real(dot(twofold([2.0_dp, 1.0_dp]), [3.0_dp, 5.0_dp])) == 11.0_dp, &
         'so does the mixed inner product')
+    call tap%ok(all(image(reshape([1.0_dp, 2.0_dp, 3.0_dp, 4.0_dp, 5.0_dp, 6.0_dp], [2, 3]), &
+        [1.0_dp, -1.0_dp, 2.0_dp]) == [8.0_dp, 10.0_dp]), 'a matrix times a vector, by hand')
     call tap%same(at_text([12.5_dp, -3.0_dp]), '(12.5, -3.)', 'a point is written as in a sentence')
     call tap%finish()
 end program test_vector
