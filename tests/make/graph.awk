@@ -57,6 +57,8 @@ END {
     print "digraph loft {"
     print "    graph [fontname=Helvetica, fontsize=20, labeljust=l, color=\"#cccccc\", style=rounded]"
     print "    graph [nodesep=.12, ranksep=.3]"
+    # So many rounds of straightening for each box, or dot takes many minutes.
+    print "    graph [nslimit=2, nslimit1=2]"
     print "    node [fontname=Helvetica, fontsize=12, shape=box, style=filled, fillcolor=white, height=.4]"
     print "    edge [arrowsize=.6]"
     n = split(layers, layer_at)
