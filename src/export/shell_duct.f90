@@ -3,7 +3,8 @@
 module export_shell_duct
     use base_kinds, only: dp
     use body_panel, only: panel_type
-    use export_shell, only: face_type, shell_type, side_type, skin_model_type
+    use export_shell, only: shell_type, skin_model_type
+    use export_shell_panel_face, only: put_corners, put_face
     use geom_bspline_surface, only: bspline_surface_type, edge_spline, surface_side
     use geom_surface_split, only: split_surface
     implicit none (type, external)
@@ -28,12 +29,7 @@ contains
 
         call split_surface(panel%surface, middle_knot(panel%surface), half(1), half(2))
         allocate (model%vertices(4), model%edges(6), model%faces(2), model%shells(1))
-        associate (pole => half(1)%pole)
-            model%vertices(1)%at = pole(:, 1, 1)
-            model%vertices(2)%at = pole(:, size(pole, 2), 1)
-            model%vertices(3)%at = pole(:, size(pole, 2), size(pole, 3))
-            model%vertices(4)%at = pole(:, 1, size(pole, 3))
-        end associate
+        call put_corners(half(1), model%vertices)
         do i = 1, 2
             model%edges(i)%curve = edge_spline(half(i), surface_side%v_from)
             model%edges(2 + i)%curve = edge_spline(half(i), surface_side%v_to)
@@ -43,7 +39,8 @@ contains
         model%edges%from = from_of
         model%edges%to = to_of
         do i = 1, 2
-            call put_face(panel, half(i), edges_of(:, i), model%faces(i))
+            call put_face(panel, half(i), edges_of(:, i), [0, 0, 0, 0], model%faces(i))
+            model%faces(i)%is_exact = .true.
         end do
         model%shells(1) = shell_type(faces=[1, 2], is_closed=.false.)
     end subroutine shell_of_duct
@@ -54,34 +51,5 @@ contains
         knot = surface%u_knot(surface%degree(1) + 1 + &
             (size(surface%u_knot) - 2*surface%degree(1) - 1)/2)
     end function middle_knot
-
-    !> Fills the face of a half: its surface and its loop, counter-clockwise seen from outside.
-    pure subroutine put_face(panel, half, edges, face)
-        type(panel_type), intent(in) :: panel               !! the duct
-        type(bspline_surface_type), intent(in) :: half      !! of its surface
-        integer, intent(in) :: edges(4)                     !! v_from, u_to, v_to, u_from
-        type(face_type), intent(inout) :: face              !! gets all
-        integer :: order(4), i
-        logical :: is_outward
-
-        is_outward = panel%outward > 0.0_dp
-        face%name = trim(panel%name)
-        if (.not. is_outward) face%name = face%name//' PORT'
-        face%section = trim(panel%name)
-        face%is_port = .not. is_outward
-        face%surface = half
-        face%is_outward = is_outward
-        face%is_exact = .true.
-        face%error = panel%error
-        face%worst = panel%worst
-        face%spans = size(half%u_knot) - 2*half%degree(1) - 1
-        order = [1, 2, 3, 4]
-        if (.not. is_outward) order = [1, 4, 3, 2]
-        allocate (face%sides(4))
-        do i = 1, 4
-            face%sides(i) = side_type(edge=edges(order(i)), &
-                is_forward=(order(i) <= 2) .eqv. is_outward)
-        end do
-    end subroutine put_face
 
 end module export_shell_duct

@@ -1,9 +1,9 @@
 !> The surface of a PATCH card as a face, an open shell of its own: it is the patch itself, a
 !> B-spline surface, and shares no edge with the skin of sections.
 module export_shell_patch
-    use base_kinds, only: dp
     use body_panel, only: panel_type
-    use export_shell, only: face_type, shell_type, side_type, skin_model_type
+    use export_shell, only: shell_type, skin_model_type
+    use export_shell_panel_face, only: put_corners, put_face
     use geom_bspline_surface, only: edge_spline, surface_side
     implicit none (type, external)
     private
@@ -26,12 +26,7 @@ contains
 
         allocate (model%vertices(4), model%edges(count([1, 2, 3, 4] /= panel%point)), &
             model%faces(1), model%shells(1))
-        associate (pole => panel%surface%pole)
-            model%vertices(1)%at = pole(:, 1, 1)
-            model%vertices(2)%at = pole(:, size(pole, 2), 1)
-            model%vertices(3)%at = pole(:, size(pole, 2), size(pole, 3))
-            model%vertices(4)%at = pole(:, 1, size(pole, 3))
-        end associate
+        call put_corners(panel%surface, model%vertices)
         edge_of = 0
         do i = 1, 4
             if (i == panel%point) cycle
@@ -42,7 +37,7 @@ contains
                 edge%to = joined(to_of(i), panel%point)
             end associate
         end do
-        call put_face(panel, edge_of, model%faces(1))
+        call put_face(panel, panel%surface, edge_of, from_of, model%faces(1))
         model%shells(1) = shell_type(faces=[1], is_closed=.false.)
     end subroutine shell_of_patch
 
@@ -55,33 +50,5 @@ contains
             if (vertex == to_of(max(point, 1))) joined = from_of(max(point, 1))
         end if
     end function joined
-
-    !> Fills the face of a patch: its surface and its loop, counter-clockwise seen from outside.
-    pure subroutine put_face(panel, edge_of, face)
-        type(panel_type), intent(in) :: panel   !! the patch
-        integer, intent(in) :: edge_of(4)       !! edges of its sides; 0: a point
-        type(face_type), intent(inout) :: face  !! gets all
-        integer :: order(4), i
-        logical :: is_outward
-
-        is_outward = panel%outward > 0.0_dp
-        face%name = trim(panel%name)
-        if (.not. is_outward) face%name = face%name//' PORT'
-        face%section = trim(panel%name)
-        face%is_port = .not. is_outward
-        face%surface = panel%surface
-        face%is_outward = is_outward
-        face%error = panel%error
-        face%worst = panel%worst
-        face%spans = size(panel%surface%u_knot) - 2*panel%surface%degree(1) - 1
-        order = [1, 2, 3, 4]
-        if (.not. is_outward) order = [1, 4, 3, 2]
-        allocate (face%sides(4))
-        do i = 1, 4
-            face%sides(i) = side_type(edge=edge_of(order(i)), &
-                is_forward=(order(i) <= 2) .eqv. is_outward, &
-                vertex=merge(from_of(order(i)), 0, edge_of(order(i)) == 0))
-        end do
-    end subroutine put_face
 
 end module export_shell_patch
