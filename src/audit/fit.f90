@@ -34,6 +34,9 @@ module audit_fit
     !> program may do, and rounding.
     real(dp), parameter, public :: room_of_1970 = 0.11_dp
 
+    !> Draws that find a straight line which as many figures are on as a conic can be worth.
+    integer, parameter :: straight_draws = 24
+
 contains
 
     !> The best conic. `fit%met` is -1 where the readings are too few for any.
@@ -128,7 +131,11 @@ contains
         fit%member = .false.
         call hold(fit%problem, fit%problem%is_exact .and. .not. fit%given_up)
         counts = .not. (fit%problem%is_held .or. fit%given_up)
-        call find_conic(fit%problem, counts, fit%k, found)
+        if (fit%problem%is_straight) then
+            call find_conic(fit%problem, counts, fit%k, found, straight_draws)
+        else
+            call find_conic(fit%problem, counts, fit%k, found)
+        end if
         if (.not. found) return
         call agree(fit%problem, counts, fit%k, fit%member, fit%depth)
         call prove(fit)
