@@ -198,8 +198,7 @@ check: deps                         ## sets up, builds, lints and runs all tests
 	@$(MAKE) MODE=debug test
 
 # Whole-program tests (tests/*.t) find the program and the tree by LOFT and ROOT.
-test: $(LOFT) $(LIBLOFT) $(CHECKS) $(BOOK) ## runs all tests of one build
-test: $(LOFT) $(if $(HAS_MPI),$(LOFT)-mpi) $(CHECKS) $(BOOK)     ## runs all tests of one build
+test: $(LOFT) $(if $(HAS_MPI),$(LOFT)-mpi) $(LIBLOFT) $(CHECKS) $(BOOK) ## runs all tests of one build
 	$(if $(CHECKS),,$(error there are no test programs))
 	@echo "== tests of the $(MODE) build"
 	@LOFT=$(abspath $(LOFT)) ROOT=$(CURDIR) JUDGES=$(abspath $(JUDGES)) MODE=$(MODE) \

@@ -110,9 +110,9 @@ contains
         integer, allocatable :: number(:)
         integer :: i, k
 
-        if (mesh%triangle_count == 0) then
-            allocate (mesh%triangles(3, 0), mesh%corners(3, 0))
-        end if
+        if (.not. allocated(mesh%vertices)) allocate (mesh%vertices(3, 0))
+        if (.not. allocated(mesh%normals)) allocate (mesh%normals(3, 0))
+        if (.not. allocated(mesh%triangles)) allocate (mesh%triangles(3, 0), mesh%corners(3, 0))
         mesh%triangles = mesh%triangles(:, :mesh%triangle_count)
         mesh%corners = mesh%corners(:, :mesh%triangle_count)
         allocate (number(mesh%vertex_count), source=0)

@@ -78,12 +78,13 @@ contains
         it%tangents = cross(twofold(it%t1), it%t3)
     end function new_triangle
 
-    !> How far points may miss each other, or a line, because binary can't hold their decimals.
+    !> How far points may miss each other, or a line, because binary can't hold their decimals; near
+    !> zero, the least number held to full length, for nothing shorter can be measured by ratios.
     pure real(dp) function rounding(first, second, third)
         real(dp), intent(in) :: first(2)  !! a point, deck units
         real(dp), intent(in) :: second(2) !! a point, deck units
         real(dp), intent(in) :: third(2)  !! a point, deck units
-        rounding = decimal_noise*ulp*maxval(abs([first, second, third]))
+        rounding = max(decimal_noise*ulp*maxval(abs([first, second, third])), tiny(1.0_dp))
     end function rounding
 
     !> The power of two next above the largest magnitude.

@@ -219,7 +219,7 @@ contains
             square%low(i) = rest_of_product(first(i), first(i), square%high(i))
         end do
         rest = a - square
-        second = rest%high/max(2.0_dp*first, tiny(first))
+        second = rest%high/merge(2.0_dp*first, 1.0_dp, a%high > 0.0_dp)
         do i = 1, rows_at_once
             c%high(i) = first(i) + second(i)
             c%low(i) = second(i) - (c%high(i) - first(i))

@@ -7,6 +7,7 @@
 module geom_zeros
     use base_constants, only: pi
     use base_kinds, only: dp
+    use base_tolerances, only: ulp
     implicit none (type, external)
     private
 
@@ -157,16 +158,18 @@ contains
         best = inner(minloc(value, dim=1))
     end function least_magnitude
 
-    !> The zero between two places where the signs differ, to the last bit: chords where they gain
-    !> more than halving does (Illinois rule), else halving.
+    !> The zero between two places where the signs differ, to the last bit, and at zero to the square
+    !> of the last bit of the range: chords where they gain more than halving does (Illinois rule),
+    !> else halving.
     pure real(dp) function zero_between(f, from, to) result(zero)
         class(function_type), intent(in) :: f !! the function
         real(dp), intent(in) :: from          !! one end
         real(dp), intent(in) :: to            !! the other end, the sign is another there
-        real(dp) :: x(2), y(2), next, value
+        real(dp) :: x(2), y(2), next, value, least
         integer :: i, moved, before
 
         x = [from, to]
+        least = ulp**2*maxval(abs(x))
         y = [f%at(from), f%at(to)]
         before = 0
         do i = 1, halvings
@@ -186,7 +189,7 @@ contains
         !> True strictly between the ends.
         pure logical function is_inside(place)
             real(dp), intent(in) :: place !! any
-            is_inside = place > minval(x) .and. place < maxval(x)
+            is_inside = place > minval(x) + least .and. place < maxval(x) - least
         end function is_inside
     end function zero_between
 

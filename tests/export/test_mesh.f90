@@ -7,7 +7,7 @@ program test_mesh
     implicit none (type, external)
 
     type(tap_type) :: tap
-    type(mesh_type) :: mesh
+    type(mesh_type) :: mesh, empty
     type(mesh_part_type) :: part
     integer :: i
 
@@ -47,5 +47,8 @@ program test_mesh
         'and those of parts')
     call tap%near(mesh%turn, 7.0_dp, 0.0_dp, 'an angle is not')
     call tap%near(mesh%normals(3, 9), 1.0_dp, 0.0_dp, 'nor is a normal')
+    call trim_mesh(empty)
+    call tap%ok(size(empty%vertices) + size(empty%normals) + size(empty%triangles) == 0, &
+        'a mesh without a triangle is an empty one')
     call tap%finish()
 end program test_mesh

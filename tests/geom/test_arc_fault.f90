@@ -20,6 +20,11 @@ program test_arc_fault
         'the shoulder point is point 3', 'a shoulder on point 3')
     call refused([0.3_dp, 0.0_dp, 1.0_dp], [0.5_dp, 1.0_dp], [0.1_dp + 0.2_dp, 0.0_dp, -1.0_dp], &
         cause%points_coincide, 'points 1 and 3', 'ends that differ by rounding alone')
+    call refused([0.0_dp, 0.0_dp, 1.0_dp], [3.0e-313_dp, 4.0e-313_dp], &
+        [7.0e-313_dp, 0.0_dp, -1.0_dp], cause%points_coincide, 'points 1 and 3', &
+        'ends nearer than any number held to full length')
+    call accepted([0.0_dp, 0.0_dp, 1.0_dp], [3.0e-300_dp, 2.0e-300_dp], &
+        [7.0e-300_dp, 0.0_dp, -1.0_dp], 'a card of 1.e-300')
     call accepted([0.0_dp, 0.0_dp, 1.0_dp], [1.0e-9_dp, 0.9999e-9_dp], [1.0_dp, 0.0_dp, -1.0_dp], &
         'a shoulder a billionth from point 1')
 
