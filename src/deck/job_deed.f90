@@ -18,7 +18,7 @@ module deck_job_deed
     use deck_job_patch, only: take_patch
     use deck_job_setting, only: default_joint_gap, take_setting, take_standing
     use deck_job_state, only: state_type
-    use deck_job_vary, only: is_vary, take_vary
+    use deck_job_vary, only: is_vary, refuse_vary, take_vary
     use deck_job_wanted, only: is_measure, take_sweep, take_wanted
     use deck_sweep, only: sweep_type
     implicit none (type, external)
@@ -57,6 +57,8 @@ contains
             call refuse_line(state)
         else if (kind == body_card%faired) then
             call refuse_outline(state)
+        else if (is_vary(kind)) then
+            call refuse_vary(state, card, kind)
         end if
         if (is_data_card(kind) .and. faults%has_errors(before)) state%open%is_sound = .false.
         if (.not. is_vary(kind) .and. .not. faults%has_errors(before)) state%before_kind = kind

@@ -1,22 +1,24 @@
 !> The VARY cards: a field of the card right before it varies. A field is named as the card
 !> reference names it, or counted from 1; it must hold a number, which is what `loft run` takes.
 module deck_job_vary
-    use base_decimal, only: decimal_type
+    use base_decimal, only: decimal_type, to_real
     use base_fault, only: fault_list_type
     use base_kinds, only: dp
     use base_text, only: to_text
     use deck_body_card, only: blame, card_type, field_count, field_text
     use deck_body_fields, only: fields_of
     use deck_body_layout, only: body_card, body_field_type, form, need
-    use deck_body_value, only: decimal_in, is_filled, looks_like_number, real_in, whole_in
-    use deck_body_word, only: suggestion, word_length
+    use deck_body_value, only: decimal_in, is_filled, looks_like_number, number_in, real_in, &
+        whole_in
+    use deck_body_word, only: in_words, suggestion
     use deck_job_list, only: append
     use deck_job_state, only: state_type, text_of
+    use deck_number, only: number_type
     use deck_sweep, only: target_type, variable_type
     implicit none (type, external)
     private
 
-    public :: take_vary, is_vary, most_variants
+    public :: take_vary, refuse_vary, is_vary, most_variants
 
     !> Variants of a sweep, at most; no range or list has more values.
     integer, parameter :: most_variants = 1000000
@@ -40,11 +42,13 @@ contains
 
         if (.not. allocated(state%before%sheet)) then
             call blame(card, 1, 'VARY without a card before it; it stands right behind the '// &
-                'card '// &
-                'it varies', faults)
+                'card it varies', faults)
             return
         end if
-        if (state%before_kind == 0) return
+        if (state%before_kind == 0) then
+            call refuse_vary(state, card, kind)
+            return
+        end if
         before = faults%count
         item%card = card
         item%of = state%before
@@ -80,31 +84,19 @@ contains
         integer, intent(out) :: number                  !! which field of the card before; 0: none
         type(fault_list_type), intent(inout) :: faults  !! what is wrong is added
         type(body_field_type), allocatable :: field(:)
-        character(word_length), allocatable :: names(:)
         character(:), allocatable :: text
-        integer :: i, found
+        integer :: found
 
         allocate (field, source=fields_of(state%before_kind))
         text = field_text(card, from)
-        found = 0
-        number = 0
-        if (looks_like_number(text)) number = whole_in(card, from)
-        do i = 1, size(field)
-            if (field(i)%name == text .or. field(i)%field == number .or. &
-                (field(i)%need == need%repeated .and. number > field(i)%field)) found = i
-        end do
-        allocate (names(size(field)))
-        do i = 1, size(field)
-            names(i) = field(i)%name
-        end do
+        call look_up(field, text, found, number)
         if (found == 0) then
-            if (looks_like_number(text)) names = ''
-            call blame(card, from, 'the card before has no field '//text//suggestion(text, names), &
-                faults)
-            return
-        end if
-        if (number == 0) number = field(found)%field
-        if (field(found)%form /= form%number .and. field(found)%form /= form%either) then
+            call blame(card, from, 'the card before has no field '//text// &
+                fields_to_vary(field, text), faults)
+        else if (state%before_kind == body_card%object .and. field(found)%name == 'VALUE') then
+            call blame(card, from, 'the value to come near to does not vary: all variants are '// &
+                'compared by it', faults)
+        else if (.not. takes_numbers(field(found))) then
             call blame(card, from, 'field '//trim(field(found)%name)//' of the card before is '// &
                 'not for a number that can be varied', faults)
         else if (.not. looks_like_number(field_text(state%before, number))) then
@@ -112,6 +104,57 @@ contains
                 'holds no number; put one there, which loft run takes', faults)
         end if
     end subroutine find_field
+
+    !> Looks a field up by its name, or by its number; the last field of a card may stand for all
+    !> that follow.
+    pure subroutine look_up(field, text, found, number)
+        type(body_field_type), intent(in) :: field(:)   !! of the card
+        character(*), intent(in) :: text                !! a name or a number
+        integer, intent(out) :: found                   !! which of them; 0: none
+        integer, intent(out) :: number                  !! which field of the card
+        integer :: i
+
+        found = 0
+        number = field_number(text)
+        do i = 1, size(field)
+            if (field(i)%name == text .or. field(i)%field == number .or. &
+                (field(i)%need == need%repeated .and. number > field(i)%field)) found = i
+        end do
+        if (found > 0 .and. number == 0) number = field(found)%field
+    end subroutine look_up
+
+    !> The number that a text is, where it is a whole one above zero; else 0.
+    pure integer function field_number(text) result(number)
+        character(*), intent(in) :: text !! without blanks around it
+        type(number_type) :: read
+
+        number = 0
+        if (.not. looks_like_number(text)) return
+        read = number_in(text, .true.)
+        if (read%first == 0 .and. to_real(read%value) < real(huge(0), dp)) &
+            number = max(0, nint(to_real(read%value)))
+    end function field_number
+
+    !> True for a field that may hold a number with a point.
+    elemental logical function takes_numbers(field)
+        type(body_field_type), intent(in) :: field !! of a card
+        takes_numbers = field%form == form%number .or. field%form == form%either
+    end function takes_numbers
+
+    !> The end of a sentence that says which fields could be meant: the one with nearly that name,
+    !> or all that take numbers.
+    pure function fields_to_vary(field, text) result(words)
+        type(body_field_type), intent(in) :: field(:)   !! of the card
+        character(*), intent(in) :: text                !! what was taken for a field
+        character(:), allocatable :: words
+
+        words = ''
+        if (.not. any(takes_numbers(field))) return
+        associate (names => pack(field%name, takes_numbers(field)))
+            words = '; a number is in '//in_words(names)
+            if (.not. looks_like_number(text)) words = words//suggestion(text, names)
+        end associate
+    end function fields_to_vary
 
     !> A field is varied by one VARY card only.
     pure subroutine check_field_once(state, item, from, faults)
@@ -142,6 +185,25 @@ contains
             field_text(item%card, 4)//', with which this field could go', faults)
     end subroutine take_tie
 
+    !> Remembers the variable of a VARY card that is in error, so that no card that goes with it is
+    !> blamed.
+    pure subroutine refuse_vary(state, card, kind)
+        type(state_type), intent(inout) :: state    !! the job so far
+        type(card_type), intent(in) :: card         !! a VARY card
+        integer, intent(in) :: kind                 !! which
+        type(variable_type) :: variable
+
+        if (kind == body_card%vary_tied) return
+        variable%name = text_of(field_text(card, name_field(kind)))
+        call append(state%job%sweep%variable, state%variables, variable)
+    end subroutine refuse_vary
+
+    !> Which field of a VARY card names its variable.
+    elemental integer function name_field(kind)
+        integer, intent(in) :: kind !! which card
+        name_field = merge(3, 4, kind == body_card%vary)
+    end function name_field
+
     !> Takes a variable with its range or list.
     pure subroutine take_variable(state, item, kind, faults)
         type(state_type), intent(inout) :: state        !! the job so far
@@ -149,28 +211,24 @@ contains
         integer, intent(in) :: kind                     !! a VARY card
         type(fault_list_type), intent(inout) :: faults  !! what is wrong is added
         type(variable_type) :: variable
-        integer :: i, before
+        integer :: i, at
 
-        before = faults%count
+        at = name_field(kind)
         variable%card = item%card
         variable%is_list = kind == body_card%vary_list
-        variable%name = text_of(field_text(item%card, merge(4, 3, variable%is_list)))
-        if (item%variable > 0) call blame(item%card, merge(4, 3, variable%is_list), &
-            'a second variable '//trim(variable%name)//'; VARY TIED lets this field go with '// &
-            'the '// &
-            'first', faults)
+        variable%name = text_of(field_text(item%card, at))
+        if (item%variable > 0) call blame(item%card, at, 'a second variable '// &
+            trim(variable%name)//'; VARY TIED lets this field go with the first', faults)
         do i = 1, state%wanted
-            if (state%job%sweep%wanted(i)%name == variable%name) call blame(item%card, &
-                merge(4, 3, variable%is_list), trim(variable%name)//' is the name of a '// &
-                'measure; '// &
-                'columns have different names', faults)
+            if (state%job%sweep%wanted(i)%name == variable%name) call blame(item%card, at, &
+                trim(variable%name)//' is the name of a measure; columns have different names', &
+                faults)
         end do
         if (variable%is_list) then
             call take_list(variable)
         else
             call take_range(variable, faults)
         end if
-        if (faults%has_errors(before)) return
         call append(state%job%sweep%variable, state%variables, variable)
         item%variable = state%variables
     end subroutine take_variable

@@ -13,7 +13,7 @@ module deck_job_wanted
     use deck_job_list, only: append
     use deck_job_state, only: check_once, find_line, line_names, state_type, text_of
     use deck_job_vary, only: most_variants
-    use deck_sweep, only: goal, measure, method, wanted_type
+    use deck_sweep, only: goal, has_aim, measure, method, wanted_type
     implicit none (type, external)
     private
 
@@ -89,6 +89,7 @@ contains
         item%name = text_of(field_text(card, 2))
         if (is_filled(card, 7)) item%name = text_of(field_text(card, 7))
         call check_name(state, item, faults)
+        call check_aim_once(state, item, faults)
         if (faults%has_errors(before)) return
         call append(state%job%sweep%wanted, state%wanted, item)
     end subroutine take_wanted
@@ -208,6 +209,24 @@ contains
             end associate
         end do
     end subroutine check_name
+
+    !> A measure has one aim: two would say the same twice, or that no variant betters another.
+    pure subroutine check_aim_once(state, item, faults)
+        type(state_type), intent(in) :: state           !! the job so far
+        type(wanted_type), intent(in) :: item           !! complete
+        type(fault_list_type), intent(inout) :: faults  !! what is wrong is added
+        integer :: i
+
+        if (.not. has_aim(item)) return
+        do i = 1, state%wanted
+            associate (other => state%job%sweep%wanted(i))
+                if (.not. (has_aim(other) .and. is_same(other, item))) cycle
+                call blame(item%card, 3, trim(other%name)//' has an aim already, '// &
+                    field_text(other%card, 3)//'; a measure has one', faults)
+                return
+            end associate
+        end do
+    end subroutine check_aim_once
 
     !> True where two cards look at the same measure.
     pure logical function is_same(a, b)

@@ -12,7 +12,7 @@ module deck_sweep
     implicit none (type, external)
     private
 
-    public :: sweep_type, variable_type, target_type, wanted_type
+    public :: sweep_type, variable_type, target_type, wanted_type, has_aim
 
     !> Characters of a name.
     integer, parameter :: name_length = 8
@@ -97,5 +97,13 @@ module deck_sweep
         type(target_type), allocatable :: target(:)     !! in the order of their cards
         type(wanted_type), allocatable :: wanted(:)     !! in the order of their cards
     end type sweep_type
+
+contains
+
+    !> True for an objective: a measure that is to be small, great or near a value.
+    elemental logical function has_aim(wanted)
+        type(wanted_type), intent(in) :: wanted !! a measure that is looked at
+        has_aim = any(wanted%goal == [goal%least, goal%most, goal%near])
+    end function has_aim
 
 end module deck_sweep

@@ -7,7 +7,7 @@ module sweep_study
     use deck_job_reader, only: read_job
     use deck_kind, only: deck_kind_of, opening_type, read_opening
     use deck_source, only: source_type
-    use deck_sweep, only: goal, wanted_type
+    use deck_sweep, only: has_aim, wanted_type
     use sweep_image, only: image_type, new_image
     use sweep_plan, only: new_plan, plan_type
     implicit none (type, external)
@@ -39,7 +39,8 @@ contains
         study%image = new_image(text, study%job%sweep%target)
         call find_columns(study)
         if (size(objectives_of(study)) == 0) call faults%add(new_fault(severity%error, 0, 0, &
-            'no OBJECT card with MIN, MAX or NEAR: nothing says which variant is better'))
+            'no OBJECT card with MIN, MAX or NEAR, as OBJECT VOLUME MAX: nothing says which '// &
+            'variant is better'))
     end subroutine new_study
 
     !> Reads a body deck from a text.
@@ -90,8 +91,7 @@ contains
         integer, allocatable :: chosen(:)
         integer :: i
         associate (wanted => study%job%sweep%wanted)
-            chosen = pack([(i, i = 1, size(wanted))], wanted%goal == goal%least .or. &
-                wanted%goal == goal%most .or. wanted%goal == goal%near)
+            chosen = pack([(i, i = 1, size(wanted))], has_aim(wanted))
         end associate
     end function objectives_of
 

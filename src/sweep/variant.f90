@@ -55,8 +55,8 @@ contains
             return
         end if
         call check_components(job, bodies, record)
-        call take_measures(study, bodies, record)
-        if (record%state /= state%fault) call check_limits(study, record)
+        call take_measures(study, job%sweep%wanted, bodies, record)
+        if (record%state /= state%fault) call check_limits(study, job%sweep%wanted, record)
     end subroutine compute_variant
 
     !> Builds all bodies. Patches, outlines and ducts, of which nothing is measured, are left out.
@@ -129,44 +129,55 @@ contains
     end subroutine miss
 
     !> Takes the measures, each once.
-    subroutine take_measures(study, bodies, record)
+    subroutine take_measures(study, wanted, bodies, record)
         type(study_type), intent(in) :: study               !! the sweep
+        type(wanted_type), intent(in) :: wanted(:)          !! as the deck of the variant has them
         type(measured_type), intent(inout) :: bodies(:)     !! of the variant
         type(record_type), intent(inout) :: record          !! gets the measures
         type(value_type) :: value
         integer :: i
 
         do i = 1, size(study%shown)
-            associate (wanted => study%job%sweep%wanted(study%shown(i)))
-                call measure_of(bodies(wanted%body), wanted, value)
+            associate (item => wanted(study%shown(i)))
+                call measure_of(bodies(item%body), item, value)
                 record%has(i) = .not. allocated(value%why)
                 record%measure(i) = value%number
-                if (record%has(i)) cycle
-                if (record%state /= state%fault) record%why = ''
-                if (record%why /= '') record%why = record%why//'; '
-                record%why = record%why//trim(wanted%name)//': '//value%why
-                record%state = state%fault
+                if (.not. record%has(i)) call want(record, trim(item%name), value%why)
             end associate
         end do
     end subroutine take_measures
 
+    !> A measure does not exist. A reason that holds for several is said once.
+    pure subroutine want(record, name, why)
+        type(record_type), intent(inout) :: record  !! gets state and words
+        character(*), intent(in) :: name            !! of the measure
+        character(*), intent(in) :: why             !! why there is none
+
+        if (record%state /= state%fault) record%why = ''
+        record%state = state%fault
+        if (index(record%why, ': '//why) > 0) return
+        if (record%why /= '') record%why = record%why//'; '
+        record%why = record%why//name//': '//why
+    end subroutine want
+
     !> Holds the measures against their limits.
-    pure subroutine check_limits(study, record)
+    pure subroutine check_limits(study, wanted, record)
         type(study_type), intent(in) :: study       !! the sweep
+        type(wanted_type), intent(in) :: wanted(:)  !! as the deck of the variant has them
         type(record_type), intent(inout) :: record  !! with its measures; gets the state
         real(dp) :: number, bound
         integer :: i
 
         do i = 1, size(study%column)
-            associate (wanted => study%job%sweep%wanted(i))
-                if (wanted%goal /= goal%range) cycle
+            associate (item => wanted(i))
+                if (item%goal /= goal%range) cycle
                 number = record%measure(study%column(i))
-                bound = to_real(wanted%from)
-                if (wanted%has_from .and. is_beyond(bound, number)) call miss(record, &
-                    trim(wanted%name)//' '//compact(number)//' is below '//compact(bound))
-                bound = to_real(wanted%to)
-                if (wanted%has_to .and. is_beyond(number, bound)) call miss(record, &
-                    trim(wanted%name)//' '//compact(number)//' is above '//compact(bound))
+                bound = to_real(item%from)
+                if (item%has_from .and. is_beyond(bound, number)) call miss(record, &
+                    trim(item%name)//' '//compact(number)//' is below '//compact(bound))
+                bound = to_real(item%to)
+                if (item%has_to .and. is_beyond(number, bound)) call miss(record, &
+                    trim(item%name)//' '//compact(number)//' is above '//compact(bound))
             end associate
         end do
     end subroutine check_limits

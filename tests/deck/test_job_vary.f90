@@ -14,7 +14,9 @@ program test_job_vary
     type(tap_type) :: tap
 
     call sound()
-    call refusals()
+    call bad_fields()
+    call bad_values()
+    call blamed_once()
     call tap%ok(is_vary(body_card%vary) .and. is_vary(body_card%vary_tied) .and. &
         .not. is_vary(body_card%sweep) .and. .not. is_vary(body_card%check_box), 'which cards vary')
     call tap%finish()
@@ -57,17 +59,26 @@ contains
         call tap%same(faults_of(body_text//'STATION,1|'//cards), found, name)
     end subroutine same
 
-    subroutine refusals()
+    !> Fields that can't vary.
+    subroutine bad_fields()
+        character(*), parameter :: numbers_of_line = &
+            '; a number is in X1, Y1, S1, X2, Y2, X3, Y3 or S3'
         call tap%has(faults_of('VARY,X,A,1.,2.,2|'//body_text//'STATION,1'), &
             '1:1-4 error: VARY without a card before it', 'no card before it')
-        call same(line//'VARY,Y4,A,1.,2.,2', &
-            '10:6-7 error: the card before has no field Y4; did you mean Y1?|', 'another field')
-        call same(line//'VARY,11,A,1.,2.,2', '10:6-7 error: the card before has no field 11|', &
-            'a field beyond the last')
-        call same(line//'VARY,0,A,1.,2.,2', '10:6-6 error: the card before has no field 0|', &
-            'field 0')
-        call same('NOSE,1.|VARY,1,A,1.,2.,2', '9:6-6 error: the card before has no field 1|', &
-            'the word of a card')
+        call same(line//'VARY,Y4,A,1.,2.,2', '10:6-7 error: the card before has no field Y4'// &
+            numbers_of_line//'; did you mean Y1?|', 'another field')
+        call same(line//'VARY,11,A,1.,2.,2', '10:6-7 error: the card before has no field 11'// &
+            numbers_of_line//'|', 'a field beyond the last')
+        call same(line//'VARY,0,A,1.,2.,2', '10:6-6 error: the card before has no field 0'// &
+            numbers_of_line//'|', 'field 0')
+        call same(line//'VARY,2.5,A,1.,2.,2', '10:6-8 error: the card before has no field 2.5'// &
+            numbers_of_line//'|', 'half a field')
+        call same(line//'VARY,1E30,A,1.,2.,2', '10:6-9 error: the card before has no field '// &
+            '1E30'//numbers_of_line//'|', 'a field beyond counting')
+        call same('NOSE,1.|VARY,1,A,1.,2.,2', '9:6-6 error: the card before has no field 1; a '// &
+            'number is in R|', 'the word of a card')
+        call same('DIGITS,3|VARY,R,A,1.,2.,2', '9:6-6 error: the card before has no field R|', &
+            'a card without numbers')
         call same('LINE,A,SIDE,MHB|VARY,FROM,A,1.,2.,2', '9:6-9 error: field FROM of the card '// &
             'before holds no number; put one there, which loft run takes|', 'a name')
         call same('SECTION,S,TOP,SHL,MHB,0.,0.|VARY,LINE1,A,1.,2.,2', &
@@ -78,6 +89,16 @@ contains
         call same('BUTTOCK,1.,0.,5.,1.|VARY,NAME,A,1.,2.,2', '9:6-9 error: field NAME of the '// &
             'card '// &
             'before is not for a number that can be varied|', 'a name that may be blank')
+        call same(line//'OBJECT,VOLUME,MAX|VARY,WHAT,A,1.,2.,2', &
+            '11:6-9 error: field WHAT of the '// &
+            'card before is not for a number that can be varied|', 'a card of the sweep itself')
+        call same(line//'OBJECT,VOLUME,NEAR,5.|VARY,VALUE,A,1.,2.,2', '11:6-10 error: the '// &
+            'value to come near to does not vary: all variants are compared by it|', &
+            'what is wanted')
+    end subroutine bad_fields
+
+    !> Ranges, lists and names.
+    subroutine bad_values()
         call same(line//'VARY,Y2,A,2.,1.,2', &
             '10:11-12 error: FROM is above TO; the least value stands first|', 'from above to')
         call same(line//'VARY,Y2,A,2.,2.,2', '10:14-15 error: FROM and TO are the same; VARY '// &
@@ -100,16 +121,23 @@ contains
         call same(line//'VARY,TIED,Y2,A|VARY,Y3,A,1.,2.,2', &
             '10:14-14 error: no VARY card before '// &
             'has a variable A, with which this field could go|', 'tied to nothing')
-        call same(line//'OBJECT,VOLUME,MAX|VARY,WHAT,A,1.,2.,2', &
-            '11:6-9 error: field WHAT of the '// &
-            'card before is not for a number that can be varied|', 'a card of the sweep itself')
-        call same('NOSE,1.5.|VARY,R,A,1.,2.,2', &
-            '8:9-9 error: R: a second point in the number|', 'a card in error is not blamed twice')
         call same('VARY,LIST,FROM,A', '8:17-17 error: VALUE is missing: the values, in this '// &
             'field '// &
             'and all that follow (zero is written 0.)|', 'an empty list')
         call tap%has(faults_of('1. 2. 3. 4. 5. 6. 7. 8.|VARY,X1,A,1.,2.,2'), 'error', &
             'no VARY in a deck of 1970')
-    end subroutine refusals
+    end subroutine bad_values
+
+    !> A card in error is blamed once, and nobody for going with it.
+    subroutine blamed_once()
+        call same(line//'VARY,Y2,A,2.,1.,2|VARY,TIED,Y3,A', '10:11-12 error: FROM is above TO; '// &
+            'the least value stands first|', 'tied to a range in error, which alone is blamed')
+        call same(line//'VARY,Y2,A,ten,2.|VARY,TIED,Y3,A', &
+            '10:11-13 error: FROM is a number, not the word TEN|', 'tied to a card in error')
+        call same('NOSE,1.5.|VARY,R,A,1.,2.|NOSE,2.|VARY,TIED,R,A', &
+            '8:9-9 error: R: a second point in the number|', 'tied to one behind a card in error')
+        call same('NOSE,1.5.|VARY,R,A,1.,2.,2', &
+            '8:9-9 error: R: a second point in the number|', 'a card in error is not blamed twice')
+    end subroutine blamed_once
 
 end program test_job_vary

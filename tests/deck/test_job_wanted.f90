@@ -106,6 +106,13 @@ contains
             'has '// &
             'the column AREA; NAME gives this one its own|', 'two columns of one name')
         call same('OBJECT,AREA,MAX,,1.|LIMIT,AREA,1.,,1.', '', 'one measure, one column')
+        call same('OBJECT,VOLUME,MAX|OBJECT,VOLUME,MIN', '9:15-17 error: VOLUME has an aim '// &
+            'already, MAX; a measure has one|', 'aims of opposite sense')
+        call same('OBJECT,AREA,MIN,,1.,,A|OBJECT,AREA,NEAR,5.,1.,,B', '9:13-16 error: A has an '// &
+            'aim already, MIN; a measure has one|', 'two aims under two names')
+        call same('OBJECT,VOLUME,MAX|OBJECT,VOLUME,SHOW|LIMIT,VOLUME,1.', '', &
+            'one aim, shown and limited')
+        call same('OBJECT,AREA,MAX,,1.,,A|OBJECT,AREA,MIN,,2.,,B', '', 'aims of two measures')
         call same('NOSE,1.|VARY,R,VOLUME,1.,2.,2|OBJECT,VOLUME,MAX', &
             '10:18-18 error: VOLUME is '// &
             'the name of a variable; columns have different names|', 'a column and a variable')

@@ -14,6 +14,7 @@ program test_variant
     call closed_forms()
     call spheroids()
     call limits()
+    call varied_questions()
     call faults()
     call tap%finish()
 
@@ -99,6 +100,31 @@ contains
         call tap%ok(all(record%has), 'all is measured')
     end subroutine limits
 
+    !> Stations and limits that vary: A = pi b c (1 - x^2/a^2), at the station of the variant.
+    subroutine varied_questions()
+        type(study_type) :: study
+        type(record_type) :: record
+        real(dp) :: wrong, area, least
+        integer :: i, misjudged
+
+        study = ellipsoid_study('SWEEP,LATIN,25'//new_line('a')//ellipsoid_text('1.,3.', &
+            '1.,3.', 'OBJECT,AREA,MAX,,3.|VARY,OF,PLACE,-4.5,4.5|LIMIT,WIDTH,2.,,0.,0.|'// &
+            'VARY,FROM,LEAST,1.,7.'), tap)
+        wrong = 0.0_dp
+        misjudged = 0
+        do i = 1, study%plan%count
+            call compute_variant(study, i, record)
+            area = pi*record%value(1)*record%value(2)*(1.0_dp - (record%value(3)/5.0_dp)**2)
+            least = record%value(4)
+            call worst(wrong, record%measure(1), area)
+            if (record%state == state%limit .neqv. 2.0_dp*record%value(1) < least) &
+                misjudged = misjudged + 1
+        end do
+        call tap%near(wrong, 0.0_dp, 1.0e-5_dp, 'a measure is taken where its card says in '// &
+            'the deck of the variant (shoulder points fit eight columns)')
+        call tap%ok(misjudged == 0, 'and held against the limit of that deck')
+    end subroutine varied_questions
+
     subroutine faults()
         type(study_type) :: study
         type(record_type) :: record
@@ -115,6 +141,13 @@ contains
         call tap%same(record%why, 'FAR: the section at station 9. does not meet waterline 0.', &
             'says so')
         call tap%ok(record%has(2) .and. .not. record%has(1), 'the others are there')
+        study = ellipsoid_study(ellipsoid_text('1.,2.,2', '1.,2.,2', &
+            'OBJECT,VOLUME,MAX|OBJECT,CENTROID,SHOW|OBJECT,GIRTH,SHOW,,9.'), tap)
+        study%image%text(1:5) = '* not'
+        call compute_variant(study, 1, record)
+        call tap%same(record%why, 'VOLUME: between stations -5. and 0. the section ends at '// &
+            'BL 0 but the deck does not say CLOSE; GIRTH: the body has no section at station 9.', &
+            'a reason that holds for two measures is said once')
     end subroutine faults
 
 end program test_variant
