@@ -227,26 +227,38 @@ contains
         real(dp), intent(out) :: value(:)                   !! shape (1) or (5)
         type(error_type), allocatable, intent(out) :: error !! a section has no arc
         type(taylor_type) :: sta
-        type(link_type), allocatable :: links(:)
-        type(moments_type) :: moments
-        character(:), allocatable :: why
 
         value = 0.0_dp
         sta = station_of(f%span, t)
         if (is_equal(sta%value, f%span%from) .or. is_equal(sta%value, f%span%to)) return
         call add_bands(f, sta, value(1), error)
-        if (allocated(error) .or. f%number == 1) return
+        if (.not. allocated(error) .and. f%number > 1) call take_moments(f, sta, value(2:5), error)
+        if (allocated(error)) error%message = 'at station '//compact(sta%value)//': '// &
+            error%message
+    end subroutine slice_at
+
+    !> The area of the section at one u and its moments, over du.
+    pure subroutine take_moments(f, sta, value, error)
+        class(slice_type), intent(in) :: f                  !! body and span
+        type(taylor_type), intent(in) :: sta                !! the station over u
+        real(dp), intent(out) :: value(4)                   !! area and moments
+        type(error_type), allocatable, intent(out) :: error !! a section has no arc, or is open
+        type(link_type), allocatable :: links(:)
+        type(moments_type) :: moments
+        character(:), allocatable :: why
+
+        value = 0.0_dp
         call rings_at(f%body, sta%value, links, error)
         if (allocated(error)) return
         call find_opening(f%body, links, why)
         if (len(why) > 0) then
-            call fail(error, cause%joint_gap, 'at station '//compact(sta%value)//' '//why)
+            call fail(error, cause%joint_gap, why)
             return
         end if
         call moments_of_rings(f%body, links, f%datum(3), moments, error)
-        value(2:5) = sta%first*[moments%area, moments%area*(sta%value - f%datum(1)), &
+        value = sta%first*[moments%area, moments%area*(sta%value - f%datum(1)), &
             moments%first(1) - moments%area*f%datum(2), moments%first(2)]
-    end subroutine slice_at
+    end subroutine take_moments
 
     !> Adds the skin of all sections at one u, over du.
     pure subroutine add_bands(f, sta, skin, error)
@@ -262,6 +274,7 @@ contains
             associate (section => f%body%sections(f%chosen(i)))
                 if (is_point(trace_at(f%body%lines, section, sta%value))) cycle
                 call frame_at(f%body, section, sta, band%frame, error)
+                if (allocated(error)) error%message = trim(section%name)//': '//error%message
             end associate
             if (allocated(error)) return
             call integrate_set(band, 0.0_dp, 1.0_dp, segment_tolerance, estimate, error)

@@ -2,7 +2,7 @@
 program test_measure_body
     use base_constants, only: pi
     use base_kinds, only: dp
-    use body_body, only: body_type, mirrored_body
+    use body_body, only: body_type, finish_body, mirrored_body
     use cut_measure_body, only: body_measure_type, measure_body, stops_of
     use support_solids, only: cone, cylinder, ellipsoid, paraboloid, solid, waist
     use support_tap, only: tap_type
@@ -51,6 +51,8 @@ program test_measure_body
         2.0_dp*pi*(0.75_dp*sqrt(2.125_dp) + asinh(0.75_dp*sqrt(2.0_dp))/sqrt(2.0_dp)), &
         [0.0_dp, 0.0_dp, 0.0_dp])
 
+    call check_fault()
+    body = waist()
     body%is_closed = .false.
     call measure_body(body, [0.0_dp], measure)
     call tap%ok(.not. measure%has_volume .and. measure%has_wetted, &
@@ -96,6 +98,22 @@ contains
             measure%wetted_area/wetted - 1.0_dp, measure%wetted_error/wetted
         call tap%note(trim(text))
     end subroutine check
+
+    !> An ellipsoid whose upper shoulder line is that of a cylinder, BL 1.14, WL 1.52, up to station
+    !> 7: from 6.5 on, where 2 sqrt(1 - x^2/100) < 1.52, its shoulders are above its top line.
+    subroutine check_fault()
+        type(body_type) :: tube
+        body = ellipsoid([10.0_dp, 3.0_dp, 2.0_dp])
+        tube = cylinder(1.9_dp, 7.0_dp)
+        body%lines(2) = tube%lines(2)
+        call finish_body(body)
+        call measure_body(body, [0.0_dp], measure)
+        call tap%ok(.not. (measure%has_volume .or. measure%has_wetted), &
+            'where a section has no arc there is neither volume nor skin')
+        call tap%has(measure%why, 'at station 6.', 'it is said where')
+        call tap%has(measure%why, ': UPPER: the shoulder point (1.14, 1.52) lies on the other '// &
+            'side of the tangent', 'in which section, and why')
+    end subroutine check_fault
 
     !> The area curve of the ellipsoid 10, 3, 2.
     subroutine check_curve()
