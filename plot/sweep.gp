@@ -14,13 +14,14 @@ text_columns = 79; text_rows = 34
 load 'style.gp'
 
 data = picture.'.dat'
-array mark[4]  = [2, 7, 7, 3]
+array mark[4]  = [2, 6, 7, 3]
 array colour[4] = ['#cccccc', '#9aa5b1', '#0072b2', '#d55e00']
 array big[4]   = [0.4, 0.4, 0.7, 2.0]
 array legend[4] = ['miss a limit', 'keep all limits', 'Pareto front', 'best']
+# Which of the four blocks are there, and which block of the data each is.
 array place[4]
-next = 0
-do for [i=1:4] { place[i] = next; if (number[i] > 0) { next = next + 1 } }
+blocks = ''
+do for [i=1:4] { if (number[i] > 0) { place[i] = words(blocks); blocks = blocks.' '.i } }
 
 set title heading noenhanced textcolor rgb ink
 set xlabel x_axis noenhanced textcolor rgb ink
@@ -28,9 +29,11 @@ set ylabel y_axis noenhanced textcolor rgb ink
 set key noenhanced textcolor rgb ink outside right top Left reverse samplen 1.5 spacing 1.2
 set offsets graph 0.04, graph 0.04, graph 0.04, graph 0.04
 
-if (next == 0) { set xrange [0:1]; set yrange [0:1]; plot NaN title 'no variant could be measured' } else {
-    plot for [i=1:4] (number[i] > 0 ? data : '/dev/null') index place[i] using 1:2 \
-        with points pointtype mark[i] pointsize big[i] linecolor rgb colour[i] \
-        title (number[i] > 0 ? legend[i] : '')
+if (blocks eq '') {
+    set xrange [0:1]; set yrange [0:1]
+    plot NaN title 'no variant could be measured'
+} else {
+    plot for [block in blocks] i = block + 0, data index place[i] using 1:2 \
+        with points pointtype mark[i] pointsize big[i] linecolor rgb colour[i] title legend[i]
 }
 unset output

@@ -14,6 +14,7 @@ module app_sweep_plot
     use sweep_front, only: best_of, front_of
     use sweep_record, only: record_type, state
     use sweep_study, only: objectives_of, study_type
+    use sweep_summary, only: aim_of
     implicit none (type, external)
     private
 
@@ -121,16 +122,16 @@ contains
         allocate (chosen, source=objectives_of(study))
         heading = base_name(deck)
         if (study%job%title /= '') heading = study%job%title
-        x_axis = study%plan%variable(1)%name
-        if (size(chosen) > 1) x_axis = study%job%sweep%wanted(chosen(1))%name
+        x_axis = trim(study%plan%variable(1)%name)
+        if (size(chosen) > 1) x_axis = aim_of(study%job%sweep%wanted(chosen(1)))
         call out%line('# Variants of a sweep, by LOFT '//version//'. To draw it again, here:')
         call out%line('#     gnuplot '//picture//'.gp')
         call out%line('#     gnuplot -e "format=''pdf''" '//picture//'.gp')
         call out%line('picture = '//quoted(picture))
         call out%line('heading = '//quoted(heading))
-        call out%line('x_axis = '//quoted(trim(x_axis)))
-        call out%line('y_axis = '//quoted(trim(study%job%sweep%wanted(chosen(min(2, &
-            size(chosen))))%name)))
+        call out%line('x_axis = '//quoted(x_axis))
+        call out%line('y_axis = '//quoted(aim_of(study%job%sweep%wanted(chosen(min(2, &
+            size(chosen)))))))
         call out%line('array number[4]')
         do i = 1, size(number)
             call out%line('number['//to_text(i)//'] = '//to_text(number(i)))

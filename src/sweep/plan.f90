@@ -3,7 +3,8 @@
 !>
 !> A full grid counts like the figures of a number: the variable of the last VARY card changes with
 !> every variant. A Latin hypercube of n variants cuts the range of each variable into n equal
-!> strata; each stratum is met by one variant, which one and where in it by chance.
+!> strata; each stratum is met by one variant, which one and where in it by chance. A stratum
+!> narrower than the last decimal of a field is met as nearly as may be.
 !>
 !> Source: M. D. McKay, R. J. Beckman, W. J. Conover, "A comparison of three methods for selecting
 !> values of input variables in the analysis of output from a computer code", Technometrics 21
@@ -12,7 +13,7 @@ module sweep_plan
     use base_decimal, only: decimal_type, to_real
     use base_fault, only: fault_list_type, new_fault, severity
     use base_kinds, only: dp, i64
-    use base_text, only: to_text
+    use base_text, only: counted, to_text
     use deck_body_card, only: blame
     use deck_job_vary, only: most_variants
     use deck_sweep, only: method, sweep_type, variable_type
@@ -83,34 +84,50 @@ contains
         do i = 2, size(plan%values)
             if (plan%values(i) == plan%count) cycle
             call blame(plan%variable(i)%card, 1, trim(plan%variable(i)%name)//' has '// &
-                to_text(plan%values(i))//' values, '//trim(plan%variable(1)%name)//' has '// &
-                to_text(plan%count)//'; with SWEEP LIST all have as many', faults)
+                counted(int(plan%values(i), i64), 'value')//', '//trim(plan%variable(1)%name)// &
+                ' has '//to_text(plan%count)//'; with SWEEP LIST all have as many', faults)
         end do
     end subroutine check_list
 
-    !> A grid may not have more variants than anyone can wait for.
+    !> A grid may not have more variants than anyone can wait for. Blamed is the first card with
+    !> which it has.
     pure subroutine check_grid(plan, faults)
         type(plan_type), intent(inout) :: plan          !! gets its count
         type(fault_list_type), intent(inout) :: faults  !! what is wrong is added
         real(dp) :: number
-        character(:), allocatable :: words
-        integer :: i
+        integer :: first
 
         number = product(real(plan%values, dp))
         if (number <= real(most_variants, dp)) then
             plan%count = product(plan%values)
             return
         end if
-        words = ''
-        do i = 1, size(plan%values)
-            if (i > 1) words = words//' x '
-            words = words//to_text(plan%values(i))
+        do first = 1, size(plan%values) - 1
+            if (product(real(plan%values(:first), dp)) > real(most_variants, dp)) exit
         end do
-        if (number < 1.0e15_dp) words = words//' = '//to_text(nint(number, i64))
-        call faults%add(new_fault(severity%error, 0, 0, 'the grid has '//words//' variants, '// &
-            'more than '//to_text(most_variants)//'; smaller COUNTs, or SWEEP LATIN with as '// &
-            'many variants as there is time for'))
+        associate (variable => plan%variable(first))
+            call blame(variable%card, merge(1, 6, variable%is_list), 'the grid has '// &
+                grid_words(plan%values)//' variants, more than '//to_text(most_variants)// &
+                '; smaller COUNTs, or SWEEP LATIN with as many variants as there is time for', &
+                faults)
+        end associate
     end subroutine check_grid
+
+    !> How many variants a grid has, in words: `10 x 20 = 200`.
+    pure function grid_words(values) result(words)
+        integer, intent(in) :: values(:) !! of each variable
+        character(:), allocatable :: words
+        real(dp) :: number
+        integer :: i
+
+        words = to_text(values(1))
+        do i = 2, size(values)
+            words = words//' x '//to_text(values(i))
+        end do
+        number = product(real(values, dp))
+        if (size(values) > 1 .and. number < 1.0e15_dp) words = words//' = '// &
+            to_text(nint(number, i64))
+    end function grid_words
 
     !> Spreads the variants of a Latin hypercube.
     pure subroutine spread_latin(plan, seed)
@@ -142,31 +159,41 @@ contains
         rest = number - 1
         do k = size(value), 1, -1
             if (plan%method == method%latin) then
-                value(k) = value_at(plan%variable(k), plan%share(number, k))
+                value(k) = value_at(plan%variable(k), plan%share(number, k), plan%count)
                 cycle
             end if
             place = number - 1
             if (plan%method == method%grid) place = mod(rest, plan%values(k))
             rest = rest/plan%values(k)
-            value(k) = stepped_value(plan%variable(k), place, plan%values(k))
-        end do
-        do k = 1, size(value)
-            value(k) = figure_value(field_figure(value(k)))
+            value(k) = rounded(stepped_value(plan%variable(k), place, plan%values(k)))
         end do
     end function values_of
 
-    !> A value at a share of a range; of a list the one that has that share.
-    pure real(dp) function value_at(variable, share) result(value)
+    !> A number as it fits a field of a card.
+    pure real(dp) function rounded(number)
+        real(dp), intent(in) :: number !! a value of a variable
+        rounded = figure_value(field_figure(number))
+    end function rounded
+
+    !> A value at a share of a range, as it fits a field; of a list the one that has that share.
+    !> A value that would be rounded out of its stratum is taken from the middle of it.
+    pure real(dp) function value_at(variable, share, strata) result(value)
         type(variable_type), intent(in) :: variable !! with its range or list
         real(dp), intent(in) :: share               !! above 0, below 1
+        integer, intent(in) :: strata               !! equal parts of the range
+        real(dp) :: stratum, bound(2)
         integer :: place
 
         if (variable%is_list) then
             place = min(variable%count, 1 + int(share*real(variable%count, dp)))
-            value = to_real(variable%value(place))
-        else
-            value = between(variable%value, share)
+            value = rounded(to_real(variable%value(place)))
+            return
         end if
+        value = rounded(between(variable%value, share))
+        stratum = aint(share*real(strata, dp))
+        bound = [between(variable%value, stratum/real(strata, dp)), &
+            between(variable%value, (stratum + 1.0_dp)/real(strata, dp))]
+        if (value < bound(1) .or. value >= bound(2)) value = rounded(0.5_dp*sum(bound))
     end function value_at
 
     !> A value of a list, or of as many evenly from end to end.

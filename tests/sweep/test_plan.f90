@@ -15,6 +15,7 @@ program test_plan
 
     call grid()
     call latin()
+    call narrow_strata()
     call lists()
     call refusals()
     call tap%finish()
@@ -86,6 +87,30 @@ contains
         call tap%ok(abs(cor(value(1, :), value(3, :))) < 0.4_dp, 'variables do not go together')
     end subroutine latin
 
+    !> Strata 1/16 wide, whose bounds are doubles, of a range in which a field has two decimals:
+    !> one value in twelve would be rounded into the next stratum.
+    subroutine narrow_strata()
+        integer, parameter :: number = 16384
+        character(:), allocatable :: said
+        real(dp) :: value(1)
+        integer :: met(-number:0), i, crossing
+
+        call make('SWEEP,LATIN,16384|LINE,A,SIDE,-5.|VARY,FROM,A,-1024.,0.|', said)
+        met = 0
+        crossing = 0
+        do i = 1, number
+            value = values_of(plan, i)
+            associate (stratum => floor(16.0_dp*value(1)))
+                met(stratum) = met(stratum) + 1
+                if (stratum /= floor(plan%share(i, 1)*16384.0_dp) - number) crossing = crossing + 1
+            end associate
+        end do
+        call tap%same(said, '', 'a hypercube of narrow strata is made')
+        call tap%ok(all(met(-number:-1) == 1) .and. met(0) == 0, &
+            'each stratum is met once by the figures that fit a field')
+        call tap%ok(crossing == 0, 'by the variant that should meet it')
+    end subroutine narrow_strata
+
     !> How far two variables go together.
     pure real(dp) function cor(x, y)
         real(dp), intent(in) :: x(:), y(:)
@@ -106,6 +131,8 @@ contains
         call make('SWEEP,LIST|'//a//b, said)
         call tap%has(said, 'B has 2 values, A has 3; with SWEEP LIST all have as many', &
             'lists of different length')
+        call make('SWEEP,LIST|'//a//'LINE,B,SIDE,5.|VARY,LIST,FROM,B,10.|', said)
+        call tap%has(said, 'B has 1 value, A has 3', 'a list of one')
     end subroutine lists
 
     subroutine refusals()
@@ -116,8 +143,13 @@ contains
         call tap%has(said, 'COUNT is missing', 'a range without COUNT')
         call make('LINE,A,SIDE,5.|VARY,FROM,A,1.,2.,1000|'// &
             'LINE,B,SIDE,5.|VARY,FROM,B,1.,2.,1001|', said)
-        call tap%has(said, 'the grid has 1000 x 1001 = 1001000 variants, more than 1000000; '// &
-            'smaller COUNTs, or SWEEP LATIN', 'a grid too large')
+        call tap%has(said, '10:19-22 error: the grid has 1000 x 1001 = 1001000 variants, more '// &
+            'than 1000000; smaller COUNTs, or SWEEP LATIN', 'a grid too large, with the '// &
+            'card that makes it so')
+        call make(a//'LINE,B,SIDE,5.|VARY,FROM,B,1.,2.,900000|LINE,C,SIDE,5.|'// &
+            'VARY,FROM,C,1.,2.,700000|LINE,D,SIDE,5.|VARY,FROM,D,1.,2.,800000|', said)
+        call tap%has(said, '10:19-24 error: the grid has 3 x 900000 x 700000 x 800000 '// &
+            'variants, more', 'a grid beyond counting, with the first card that makes it too large')
         call make('LINE,A,SIDE,5.|VARY,FROM,A,1.,2.,1000|'// &
             'LINE,B,SIDE,5.|VARY,FROM,B,1.,2.,1000|', said)
         call tap%ok(plan%count == 1000000, 'the largest grid')
