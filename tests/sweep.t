@@ -30,6 +30,10 @@ ok $? 'a sweep leaves rows and the best deck' "status $status $(ls "$work") $(ca
 awk -F, 'NR == 2 { n = NF } NR > 2 && NF < n { bad++ } NR > 2 && $1 != NR - 2 { bad++ }
     END { exit bad > 0 || NR != 26 }' "$work/a.csv"
 ok $? 'one row a variant, in order' "$(head -n 5 "$work/a.csv")"
+awk -F, 'function met(v, from, to) { return int((v - from)/(to - from)*24 + 1e-9) }
+    NR > 2 { a[met($2, 10.5, 13)]++; b[met($3, -19, -17.2)]++; c[met($4, -.46, -.36)]++ }
+    END { for (i = 0; i < 24; i++) if (a[i] != 1 || b[i] != 1 || c[i] != 1) exit 1 }' "$work/a.csv"
+ok $? 'each variable has one value in each 24th of its range'
 head -n 1 "$work/a.csv" | grep -q "sweep of 24 variants, deck $(sha256sum "$deck" | cut -d' ' -f1)\$"
 ok $? 'the first line has the checksum of the deck' "$(head -n 1 "$work/a.csv")"
 awk -F, 'NR > 2 && $9 == "ok" { v[$1] = $5; w[$1] = $6; f[$1] = $10; n++ }
@@ -60,6 +64,14 @@ cp "$work/a.csv.best.crd" "$work/own.csv.best.crd"
 loft sweep "$work/own.csv.best.crd" -o "$work/own.csv"
 said 2 'would replace the deck' 'a deck is not overwritten by its own best'
 
+# --- what doc/sweep.md shows
+loft sweep cards/sweep.crd -o "$work/sweep.csv"
+sed 's|'"$work"'/||' "$work/out" > "$work/said"
+sed -n '/^    \$ loft sweep/,/^$/p' doc/sweep.md | sed '1d; /^ *\.\.\.$/d; /front.svg$/d; /^$/d; s/^    //' > "$work/shown"
+grep -vxFf "$work/said" "$work/shown" > "$work/other"
+[ "$(wc -l < "$work/shown")" = 8 ] && [ ! -s "$work/other" ]
+ok $? 'doc/sweep.md shows what LOFT prints' "$(cat "$work/other")"
+
 # --- threads
 for threads in 1 2 3 8; do
     OMP_NUM_THREADS=$threads loft sweep "$deck" -o "$work/t.csv"
@@ -70,13 +82,13 @@ done
 for signal in KILL TERM INT; do
     for rows in 0 3 12; do
         rm -f "$work"/k.*
-        "$LOFT" sweep "$deck" -o "$work/k.csv" > /dev/null 2>&1 &
+        # A shell lets its children in the background ignore SIGINT.
+        env --default-signal=INT "$LOFT" sweep "$deck" -o "$work/k.csv" > /dev/null 2>&1 &
         pid=$!
         until [ -f "$work/k.csv" ] || [ "$(wc -l 2> /dev/null < "$work/k.csv.partial")" -ge $((rows + 2)) ] 2> /dev/null; do
             sleep 0.01
         done
-        # A shell lets its children in the background ignore SIGINT; SIGHUP stands for it.
-        kill -"$(echo $signal | sed 's/INT/HUP/')" $pid 2> /dev/null
+        kill -$signal $pid 2> /dev/null
         wait $pid 2> /dev/null
         had=$(awk 'END { print NR - 2 }' "$work/k.csv.partial" 2> /dev/null)
         sed 1,2d "$work/k.csv.partial" > "$work/had" 2> /dev/null
@@ -103,7 +115,7 @@ for bytes in 1 5 20 40 60 75 90 110 160 200 240 300 333; do
 done
 [ $torn = 0 ]; ok $? 'a journal torn anywhere, its header too, is gone on with' "$torn times not"
 rm -f "$work/k.csv"; journal 26
-sed '12,22s/^\([0-9]*\),/\1,9/' "$work/k.csv.partial" > "$work/changed"
+sed '12,22s/^\(\([^,]*,\)\{7\}\)/\19/' "$work/k.csv.partial" > "$work/changed"
 cp "$work/changed" "$work/k.csv.partial"
 loft sweep "$deck" -o "$work/k.csv" --resume
 [ "$status" = 0 ] && [ "$(diff "$work/k.csv" "$work/a.csv" | grep -c '^<')" = 11 ]
@@ -118,6 +130,24 @@ said 2 'is of another deck, or this deck was changed' 'a changed deck is refused
 echo 'some,thing,else' >> "$work/k.csv.partial"
 loft sweep "$deck" -o "$work/k.csv" --resume
 said 2 'k.csv.partial:21: no row of this sweep' 'a line that is no row is named'
+rm -f "$work"/k.*; journal 20
+sed '7s/^\([0-9]*\),1/\1,2/' "$work/k.csv.partial" > "$work/changed"
+cp "$work/changed" "$work/k.csv.partial"
+loft sweep "$deck" -o "$work/k.csv" --resume
+said 2 'k.csv.partial:7: no row of this sweep' 'so is one whose variables are not those of its variant'
+rm -f "$work"/k.*; head -n 5 "$work/a.csv" > "$work/k.csv"
+sed 's/,\(ok\|limit\),[01],/,\1,,/' "$work/k.csv" > "$work/had"
+"$LOFT" sweep "$deck" -o "$work/k.csv" --resume > /dev/null 2>&1 &
+pid=$!
+until [ "$(wc -l 2> /dev/null < "$work/k.csv.partial")" -ge 6 ] 2> /dev/null || ! kill -0 $pid; do
+    sleep 0.01
+done 2> /dev/null
+kill -KILL $pid 2> /dev/null
+wait $pid 2> /dev/null
+head -n 5 "$work/k.csv.partial" | cmp -s - "$work/had"
+ok $? 'of a result that was cut short the rows are kept' "$(head -c 300 "$work/k.csv.partial")"
+loft sweep "$deck" -o "$work/k.csv" --resume
+[ "$status" = 0 ] && cmp -s "$work/k.csv" "$work/a.csv"; ok $? 'and the rest is computed' "$(cat "$work/err")"
 rm -f "$work"/k.*
 loft sweep "$deck" -o "$work/k.csv" --resume
 [ "$status" = 0 ] && cmp -s "$work/k.csv" "$work/a.csv"
@@ -161,6 +191,7 @@ refused() {
 refused 'no VARY card: nothing varies' "$(cat cards/nose.crd)"
 refused 'no body deck' "$(cat cards/sae700202.crd)"
 refused 'no OBJECT card' "$(grep -v '^OBJECT' "$deck")"
+refused 'VOLUME has an aim already, MAX' "$(sed 's/^OBJECT  WETTED  MIN/OBJECT  VOLUME  MIN/' "$deck")"
 refused 'FROM is above TO' "$(sed 's/BREADTH 10.5    13./BREADTH 13.     10.5/' "$deck")"
 refused 'the card before has no field Y9' "$(sed 's/^VARY    Y2 /VARY    Y9 /' "$deck")"
 refused 'there is no LINE MHX before; did you mean MHB' "$(sed 's/^END/OBJECT  JUMP    MIN             MHX/' "$deck")"
@@ -186,9 +217,12 @@ loft sweep "$work/wild.crd" -o "$work/wild.csv"
     grep -q ',limit,0,"' "$work/wild.csv"
 ok $? 'variants that can not be built are rows that say why' "$(cut -c1-100 "$work/wild.csv" | head -n 5)"
 sed 's/^LIMIT.*/LIMIT   VOLUME  1.E9/' "$deck" > "$work/none.crd"
+cp "$work/a.csv.best.crd" "$work/none.csv.best.crd"
 loft sweep "$work/none.crd" -o "$work/none.csv"
-[ "$status" = 1 ] && grep -q '^No variant keeps all limits' "$work/out" && [ ! -e "$work/none.csv.best.crd" ]
-ok $? 'no best where none keeps the limits; status 1' "status $status"
+[ "$status" = 1 ] && grep -q '^No variant keeps all limits' "$work/out" &&
+    grep -q '^Variant 1: .*VOLUME .* is below 1.E+09' "$work/out"
+ok $? 'no best where none keeps the limits: it is said why; status 1' "status $status $(cat "$work/out")"
+[ ! -e "$work/none.csv.best.crd" ]; ok $? 'nor does the best of a sweep before stay'
 
 # --- run and check take such a deck as it stands
 loft run "$deck"
@@ -204,5 +238,12 @@ if command -v gnuplot > /dev/null; then
     (cd "$work" && "$LOFT" sweep "a b'c.crd" -o plot.csv --plot > out 2> err); status=$?
     [ "$status" = 0 ] && grep -q '</svg>' "$work/a b'c-plots/front.svg"
     ok $? '--plot draws the front, whatever deck and title are called' "status $status $(cat "$work/err")"
+    sed '/^LIMIT/d; /^CHECK/d; /^OBJECT  CLEAR/d' "$deck" > "$work/free.crd"
+    (cd "$work" && "$LOFT" sweep free.crd -o free.csv --plot > out 2> err); status=$?
+    [ "$status" = 0 ] && [ ! -s "$work/err" ] && grep -q "$(printf '^x_axis = .VOLUME MAX.')" "$work/free-plots/front.gp"
+    ok $? 'without a word where no variant misses a limit' "status $status $(cat "$work/err")"
+    awk -F, 'NR > 2 && $7 == "ok" { print $5, $6 }' "$work/free.csv" | sort > "$work/points"
+    awk 'NF == 0 { exit } { print }' "$work/free-plots/front.dat" | sort | cmp -s - "$work/points"
+    ok $? 'its points are those of the rows'
 fi
 finish

@@ -8,11 +8,13 @@ module app_journal
     use app_progress, only: tell_progress
     use app_whole_file, only: read_whole
     use base_error, only: cause, error_type, fail
+    use base_exact, only: is_equal
     use base_kinds, only: i64
     use base_output, only: output_type
     use base_posix, only: c_fclose, c_fileno, c_fopen, c_text, c_unlink, last_error
     use base_text, only: to_text
     use sweep_keeper, only: keeper_type
+    use sweep_plan, only: values_of
     use sweep_record, only: header_of, read_row, record_type, row_of_record
     use sweep_study, only: study_type
     implicit none (type, external)
@@ -100,11 +102,25 @@ contains
             return
         end if
         call journal%out%attach(c_fileno(journal%stream))
-        if (kept > 0) return
+        if (kept == 0) call write_known(journal, error)
+    end subroutine open_to_append
+
+    !> Writes the header and the rows that are known, from a result that was not whole.
+    !>
+    !> Fails with `cause%file_trouble` and the system's words.
+    subroutine write_known(journal, error)
+        class(journal_type), intent(inout) :: journal       !! open
+        type(error_type), allocatable, intent(out) :: error !! see above
+        integer :: i
+
         call journal%out%put(journal%header)
+        do i = 1, size(journal%record)
+            if (journal%record(i)%number > 0) &
+                call journal%out%line(row_of_record(journal%record(i), .false.))
+        end do
         call journal%out%flush(error)
         if (allocated(error)) error%message = journal%path//': '//error%message
-    end subroutine open_to_append
+    end subroutine write_known
 
     !> Cuts off what stands in a file behind so many bytes.
     subroutine cut_off(path, kept, trouble)
@@ -158,7 +174,7 @@ contains
         end do
     end subroutine read_rows
 
-    !> Takes a row of a journal.
+    !> Takes a row of a journal: its variables have the values that the plan gives its variant.
     !>
     !> Fails with `cause%file_trouble` where it is none.
     subroutine take_row(journal, row, study, error)
@@ -170,10 +186,10 @@ contains
         logical :: is_sound
 
         call read_row(row, study, record, is_sound)
+        if (is_sound) is_sound = all(is_equal(record%value, values_of(study%plan, record%number)))
         if (.not. is_sound) then
             call fail(error, cause%file_trouble, 'no row of this sweep; remove the line, and '// &
-                'its '// &
-                'variant is computed again')
+                'its variant is computed again')
             return
         end if
         if (journal%record(record%number)%number == 0) journal%done = journal%done + 1

@@ -165,8 +165,7 @@ contains
             call journal%open(result%name, study, is_resumed, error)
         else if (is_resumed) then
             call fail(error, cause%usage, '--resume goes with -o FILE, a regular file: beside '// &
-                'it, '// &
-                'in FILE.partial, stands what was done')
+                'it, in FILE.partial, stands what was done')
         end if
     end subroutine open_journal
 

@@ -1,14 +1,15 @@
-!> The result of a sweep: rows in order with the front marked, the best deck beside them, the
-!> summary. A regular file is written when all variants are done; what can't be replaced by a whole
-!> file (standard output, a device, a FIFO, a link) is opened at the start, so that nothing is
-!> computed in vain.
+!> The result of a sweep: rows in order with the front marked, the best deck beside them (where
+!> there is no best, not even that of a sweep before), the summary. A regular file is written when
+!> all variants are done; what can't be replaced by a whole file (standard output, a device, a FIFO,
+!> a link) is opened at the start, so that nothing is computed in vain.
 module app_sweep_result
+    use, intrinsic :: iso_c_binding, only: c_int
     use app_file_set, only: file_set_type
     use app_files, only: can_be_replaced
     use app_journal, only: journal_type
     use base_error, only: error_type
     use base_output, only: output_type
-    use base_posix, only: standard_output
+    use base_posix, only: c_text, c_unlink, standard_output
     use sweep_front, only: best_of, mark_front
     use sweep_image, only: variant_text
     use sweep_plan, only: values_of
@@ -59,6 +60,7 @@ contains
         type(journal_type), intent(inout) :: journal        !! with all variants
         integer, intent(out) :: best                        !! the best variant; 0: there is none
         type(error_type), allocatable, intent(out) :: error !! see above
+        integer(c_int) :: ignored
 
         call mark_front(study, journal%record)
         best = best_of(study, journal%record)
@@ -75,7 +77,9 @@ contains
             return
         end if
         call journal%remove()
-        if (result%is_file) call print_summary(result%name, study, journal, best, error)
+        if (.not. result%is_file) return
+        if (best == 0) ignored = c_unlink(c_text(result%name//best_ending))
+        call print_summary(result%name, study, journal, best, error)
     end subroutine conclude
 
     !> Prints header and rows.

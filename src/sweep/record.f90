@@ -99,7 +99,7 @@ contains
         field = field//'"'
     end function quoted
 
-    !> Reads a row.
+    !> Reads a row. A variant that is not at fault has all measures.
     pure subroutine read_row(row, study, record, is_sound)
         character(*), intent(in) :: row             !! without line feed
         type(study_type), intent(in) :: study       !! the sweep
@@ -128,6 +128,7 @@ contains
             end if
         end do
         if (is_sound) call take_state(row, next, record, is_sound)
+        is_sound = is_sound .and. (record%state == state%fault .or. all(record%has))
     end subroutine read_row
 
     !> Takes the field that begins at a place, up to its comma.

@@ -40,8 +40,8 @@ program test_record
     do i = 1, 2000
         text = columns(quotes, 1, 3*mod(i, 3))
         record = record_type(1 + mod(i, 4), [any_number(), any_number()], &
-            [any_number(), any_number()], [.true., mod(i, 3) > 0], 1 + mod(i, 3), mod(i, 5) == 0, &
-            text)
+            [any_number(), any_number()], [.true., mod(i, 3) > 0], 1 + mod(i + 2, 3), &
+            mod(i, 5) == 0, text)
         if (.not. record%has(2)) record%measure(2) = 0.0_dp
         row = row_of_record(record, .true.)
         call read_row(row, study, back, is_sound)
@@ -69,6 +69,8 @@ program test_record
     call refused('1,1,2,3,4,,0,')
     call refused('1,1,2,3,4,ok,0,open')
     call refused('1,1,2,3,4,ok,0,"open')
+    call refused('1,1,2,3,,ok,0,')
+    call refused('1,1,2,,4,limit,0,"B is below 9."')
     call refused('1,1,2,3*4,4,ok,0,')
     call refused('1,1,2,1e999999999999,4,ok,0,')
     call refused('')
