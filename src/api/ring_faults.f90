@@ -1,10 +1,11 @@
-!> What is wrong with the way sections of a body go round it, said of the SECTION cards: a skin that
-!> breaks where two of them meet, and ends that meet nothing though the deck says CLOSE.
+!> What is wrong with the way sections of a body go round it: a skin that breaks where two of them
+!> meet on a line that is no chine, a chine on which it does not, and ends that meet nothing though
+!> the deck says CLOSE.
 module api_ring_faults
     use base_fault, only: fault_list_type
     use base_text, only: compact
     use body_body, only: body_type
-    use body_ring_end, only: line_of_end, name_of_end, section_of
+    use body_ring_end, only: is_on_chine, line_of_end, name_of_end, section_of
     use body_ring_list, only: is_broken, loose_end_type, meeting_type, ring_type
     use deck_body_card, only: warn
     use deck_job, only: asked_body_type => body_type
@@ -15,8 +16,9 @@ module api_ring_faults
 
 contains
 
-    !> Warns of breaks over `tangency_tolerance` and, where the body is to be closed, of loose ends.
-    !> Of a section on both sides only the starboard one is spoken of.
+    !> Warns of breaks over `tangency_tolerance` but on chines, of chines without one and, where the
+    !> body is to be closed, of loose ends. Of a section on both sides only the starboard one is
+    !> spoken of.
     subroutine warn_of_ring(asked, body, ring, faults)
         type(asked_body_type), intent(in) :: asked      !! as the deck has it
         type(body_type), intent(in) :: body             !! as built
@@ -27,11 +29,12 @@ contains
         do i = 1, size(ring%meetings)
             associate (meeting => ring%meetings(i))
                 if (.not. is_broken(meeting)) cycle
-                if (is_image(body, meeting%end)) cycle
+                if (is_image(body, meeting%end) .or. is_meant(body, meeting)) cycle
                 call warn_of_section(asked, body, maxval(meeting%end), &
                     break_words(body, meeting), faults)
             end associate
         end do
+        if (.not. faults%has_errors(0)) call warn_of_chines(asked, body, ring, faults)
         if (.not. body%is_closed) return
         do i = 1, size(ring%loose)
             if (is_image(body, [ring%loose(i)%end])) cycle
@@ -39,6 +42,39 @@ contains
                 loose_words(body, ring%loose(i)), faults)
         end do
     end subroutine warn_of_ring
+
+    !> Warns of lines said to be chines on which the skin does not break.
+    subroutine warn_of_chines(asked, body, ring, faults)
+        type(asked_body_type), intent(in) :: asked      !! as the deck has it
+        type(body_type), intent(in) :: body             !! as built
+        type(ring_type), intent(in) :: ring             !! of the body
+        type(fault_list_type), intent(inout) :: faults  !! warnings are added
+        logical :: breaks(size(asked%line))
+        integer :: i, k
+
+        breaks = .false.
+        do i = 1, size(ring%meetings)
+            if (.not. is_broken(ring%meetings(i))) cycle
+            do k = 1, 2
+                if (ring%meetings(i)%end(k) == 0) cycle
+                breaks = breaks .or. asked%line%name == line_of_end(body, ring%meetings(i)%end(k))
+            end do
+        end do
+        do i = 1, size(breaks)
+            if (breaks(i) .or. .not. allocated(asked%line(i)%chine)) cycle
+            call warn(asked%line(i)%chine, 2, 'on '//trim(asked%line(i)%name)// &
+                ' the skin does not break: no two sections meet there at an angle; CHINE says '// &
+                'nothing', faults)
+        end do
+    end subroutine warn_of_chines
+
+    !> True for a break on a chine.
+    pure logical function is_meant(body, meeting)
+        type(body_type), intent(in) :: body         !! as built
+        type(meeting_type), intent(in) :: meeting   !! any
+        is_meant = is_on_chine(body, meeting%end(1))
+        if (meeting%end(2) > 0) is_meant = is_meant .or. is_on_chine(body, meeting%end(2))
+    end function is_meant
 
     !> True where all ends are of port sections whose starboard originals stand before them.
     pure logical function is_image(body, ends)
@@ -82,9 +118,11 @@ contains
             name_of_end(body, meeting%end(1))
         if (meeting%end(2) > 0) then
             words = words//' and '//name_of_end(body, meeting%end(2))// &
-                '; where no edge is meant give both the same slope'
+                '; give both the same slope, or say CHINE on its LINE card where an '// &
+                'edge is meant'
         else
-            words = words//' and its mirror image; where no edge is meant make its slope there 0.'
+            words = words//' and its mirror image; make its slope there 0., or say CHINE '// &
+                'on its LINE card where an edge is meant'
         end if
     end function break_words
 

@@ -108,6 +108,7 @@ contains
         type(fault_list_type), intent(inout) :: faults  !! what is wrong is added
 
         line%name = asked%name
+        line%is_chine = allocated(asked%chine)
         line%has_side = allocated(views(view%side)%chain)
         line%has_plan = allocated(views(view%plan)%chain)
         line%has_angle = allocated(views(view%angle)%chain)

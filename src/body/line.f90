@@ -18,6 +18,7 @@ module body_line
         logical :: has_side = .false.       !! the deck gives a side view
         logical :: has_plan = .false.       !! the deck gives a plan view
         logical :: has_angle = .false.      !! the deck gives an angle
+        logical :: is_chine = .false.       !! a break of the skin on it is intended
         real(dp) :: from = 0.0_dp           !! least station where all its views are
         real(dp) :: to = 0.0_dp             !! greatest station where they are, not below `from`
     end type line_type

@@ -12,7 +12,8 @@ module body_ring_end
     implicit none (type, external)
     private
 
-    public :: section_end_type, ends_at, section_of, name_of_end, line_of_end
+    public :: section_end_type, ends_at, section_of, name_of_end, line_of_end, &
+        is_on_chine
     public :: touch, is_centred, break_between, break_in_mirror
 
     !> An end of a section at a station. Ends 2i - 1 and 2i of a list are start and finish of
@@ -131,8 +132,21 @@ contains
         integer, intent(in) :: end          !! place in the list
         character(:), allocatable :: name
         associate (section => body%sections(section_of(end)))
-            name = trim(body%lines(section%line(merge(1, 3, mod(end, 2) == 1)))%name)
+            name = trim(body%lines(section%line(end_line(end)))%name)
         end associate
     end function line_of_end
+
+    !> True where the line on which an end is, is a chine.
+    pure logical function is_on_chine(body, end)
+        type(body_type), intent(in) :: body !! the body
+        integer, intent(in) :: end          !! place in the list
+        is_on_chine = body%lines(body%sections(section_of(end))%line(end_line(end)))%is_chine
+    end function is_on_chine
+
+    !> Which of the three lines of its section an end is on.
+    elemental integer function end_line(end)
+        integer, intent(in) :: end !! place in the list
+        end_line = merge(1, 3, mod(end, 2) == 1)
+    end function end_line
 
 end module body_ring_end

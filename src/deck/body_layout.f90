@@ -50,14 +50,15 @@ module deck_body_layout
         character(96) :: meaning = ''   !! what the card is for
     end type body_layout_type
 
-    !> A word that may stand behind the last field of a data card or a PATCH card.
+    !> A word that may stand behind the last field of a LINE, data or PATCH card.
     type :: option_type
         character(8) :: word        !! the option
         character(80) :: meaning    !! what it says
     end type option_type
 
-    !> The options of data cards and of PATCH.
-    type(option_type), parameter, public :: option_words(10) = [ &
+    !> The options of LINE, of data cards and of PATCH.
+    type(option_type), parameter, public :: option_words(11) = [ &
+        option_type('CHINE', 'the skin is meant to break where sections meet on this line'), &
         option_type('DXDY', 'every end slope of the card is dx/dy; a vertical one is 0.'), &
         option_type('DXDY1', 'the slope at the first point is dx/dy'), &
         option_type('DXDY3', 'the slope at the last point is dx/dy'), &
@@ -110,7 +111,7 @@ module deck_body_layout
         body_layout_type('TOLER', '', '', 'largest gap at a joint of a line or between sections'), &
         body_layout_type('BODY', '', '', 'begins another body; what follows belongs to it'), &
         body_layout_type('NOSE', '', '', 'rounds the point nose of the body'), &
-        body_layout_type('LINE', '', '', &
+        body_layout_type('LINE', '', 'CHINE', &
         'a view of a control line; its data cards follow, end to end, unless field 4 is filled'), &
         body_layout_type('', '', two_slopes, &
         'data card: end points, end slopes, shoulder point, as in 1970; it has no word'), &

@@ -139,8 +139,7 @@ module deck_job
         logical :: is_slope_last = .false.          !! four points: the slope is that at point 3
         integer :: ending = 1                       !! of a point: one of `ending%...`
         logical :: is_knuckle = .false.             !! a slope break at its start is intended
-        logical :: is_match = .false.               !! shoulder point or rho is to be found, so that
-                                                    !! the curvature at its start is that before it
+        logical :: is_match = .false.               !! shoulder or rho is found: equal curvature
         type(card_type) :: card                     !! its card
     end type piece_type
 
@@ -160,6 +159,7 @@ module deck_job
     type :: control_line_type
         character(name_length) :: name = '' !! its name
         type(view_type) :: view(3)          !! by `view%side`, `view%plan`, `view%angle`
+        type(card_type), allocatable :: chine   !! its card that says CHINE, if one does
     end type control_line_type
 
     !> An end slope dWL/dBL of a section.

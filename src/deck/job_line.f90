@@ -72,6 +72,7 @@ contains
             call append(state%body%line, state%lines, fresh)
             line = state%lines
         end if
+        if (has_option(card, body_card%line, 'CHINE')) state%body%line(line)%chine = card
         which = view_named(field_text(card, 3))
         associate (target_view => state%body%line(line)%view(which))
             if (target_view%origin /= origin%none) then

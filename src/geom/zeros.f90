@@ -158,7 +158,7 @@ contains
         best = inner(minloc(value, dim=1))
     end function least_magnitude
 
-    !> The zero between two places where the signs differ, to the last bit, and at zero to the square
+    !> The zero between two places where the signs differ, to the last bit, and near 0 to the square
     !> of the last bit of the range: chords where they gain more than halving does (Illinois rule),
     !> else halving.
     pure real(dp) function zero_between(f, from, to) result(zero)

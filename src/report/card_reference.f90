@@ -178,8 +178,8 @@ contains
     subroutine print_options(out)
         type(output_type), intent(inout) :: out !! where it goes
         integer :: i
-        call out%line('Options of data cards and PATCH, in any order in the fields behind the '// &
-            'last number')
+        call out%line('Options of LINE, data cards and PATCH, in any order in the fields behind'// &
+            ' the last one')
         call out%line('')
         do i = 1, size(option_words)
             call out%line('  '//option_words(i)%word//'  '//trim(option_words(i)%meaning))

@@ -9,7 +9,7 @@ module report_ring_listing
     use base_output, only: output_type
     use base_text, only: right
     use body_body, only: body_type
-    use body_ring_end, only: line_of_end, name_of_end
+    use body_ring_end, only: is_on_chine, line_of_end, name_of_end
     use body_ring_list, only: closure, loose_end_type, meeting_type, ring_type, stretch_type
     use base_digits, only: fixed
     use report_ordinate, only: ordinate_form_type, ordinate_text, ordinate_words
@@ -49,6 +49,7 @@ contains
             end do
             call page%end_columns()
         end if
+        call name_chines(page, body, ring%meetings, out)
         do i = 1, size(ring%stretches)
             call page%paragraph(out, stretch_words(ring%stretches(i), form))
         end do
@@ -78,6 +79,26 @@ contains
         if (meeting%break*10.0_dp**break_decimals >= 0.5_dp) &
             text = text//ordinate_text(form, meeting%sta, ordinate_width)
     end function row
+
+    !> Prints the names of the chines, if there are any.
+    subroutine name_chines(page, body, meetings, out)
+        type(page_type), intent(inout) :: page          !! the listing
+        type(body_type), intent(in) :: body             !! the body
+        type(meeting_type), intent(in) :: meetings(:)   !! of its sections
+        type(output_type), intent(inout) :: out         !! where it goes
+        character(:), allocatable :: words, name
+        integer :: i, k
+
+        words = ''
+        do i = 1, size(meetings)
+            do k = 1, count(meetings(i)%end > 0)
+                if (.not. is_on_chine(body, meetings(i)%end(k))) cycle
+                name = line_of_end(body, meetings(i)%end(k))
+                if (index(words//',', ' '//name//',') == 0) words = words//', '//name
+            end do
+        end do
+        if (words /= '') call page%paragraph(out, 'CHINES, WHERE A BREAK IS MEANT:'//words(2:))
+    end subroutine name_chines
 
     !> How a stretch closes, in words.
     pure function stretch_words(stretch, form) result(words)

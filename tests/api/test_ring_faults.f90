@@ -21,14 +21,26 @@ program test_ring_faults
         'a smooth tube is not warned of')
     call tap%same(warnings(tube//upper//'|SECTION,LO,LCL,LSH,MHB,0.,-1.,0.,80.'), &
         '10:9-10 warning: on MHB the skin breaks by up to 45. degrees, at station 0., between '// &
-        'UP and LO; where no edge is meant give both the same slope|', &
+        'UP and LO; give both the same slope, or say CHINE on its LINE card where an edge '// &
+        'is meant|', &
         'a break is, on the second section')
     call tap%same(warnings(tube//upper//'|SECTION,LO,LCL,LSH,MHB,.25,999.999,0.,80.'), &
         '10:9-10 warning: on LCL the skin breaks by up to 28.072487 degrees, at station 0., '// &
-        'between LO and its mirror image; where no edge is meant make its slope there 0.|', &
+        'between LO and its mirror image; make its slope there 0., or say CHINE on its LINE '// &
+        'card where an edge is meant|', &
         'so is a keel')
     call tap%same(warnings(tube//upper//'|SECTION,LO,LCL,LSH,MHB,.00005,999.999,0.,80.'), '', &
         'not one of .006 degrees')
+    call tap%same(warnings(chined('MHB,PLAN,5.')//upper// &
+        '|SECTION,LO,LCL,LSH,MHB,0.,-1.,0.,80.'), '', 'a break on a chine is not warned of')
+    call tap%same(warnings(chined('LCL,SIDE,-5.')//upper// &
+        '|SECTION,LO,LCL,LSH,MHB,.25,999.999,0.,80.'), '', 'nor a keel on one')
+    call tap%same(warnings(chined('LCL,SIDE,-5.')//upper// &
+        '|SECTION,LO,LCL,LSH,MHB,0.,-1.,0.,80.'), '10:9-10 warning: on MHB the skin breaks by '// &
+        'up to 45. degrees, at station 0., between UP and LO; give both the same slope, or say '// &
+        'CHINE on its LINE card where an edge is meant|2:6-8 warning: on LCL the skin does not '// &
+        'break: no two sections meet there at an angle; CHINE says nothing|', &
+        'breaks elsewhere are, and a chine that is none')
     call tap%same(warnings(tube//upper), '', 'an open body may be open')
     call tap%same(warnings('CLOSE|'//tube//upper), '10:9-10 warning: from station 0. to 80. '// &
         'section UP meets no other on MHB, so that the body is not closed; let two sections '// &
@@ -40,6 +52,15 @@ program test_ring_faults
     call tap%finish()
 
 contains
+
+    !> The tube with one of its lines a chine.
+    pure function chined(line) result(deck)
+        character(*), intent(in) :: line !! the line, as it is in the deck
+        character(:), allocatable :: deck
+        integer :: after
+        after = index(tube, 'LINE,'//line//'|') + len('LINE,'//line)
+        deck = tube(:after - 1)//',,CHINE'//tube(after:)
+    end function chined
 
     !> The warnings of a deck.
     function warnings(deck) result(words)

@@ -40,6 +40,9 @@ program test_ring_listing
         'where an end is loose')
     call has('INCHES', 'UP TO 0.250 IN BL AND -1.500 IN WL AWAY, AT STA 7.500', &
         'and how far from the next')
+    call tap%ok(index(printed('INCHES'), 'CHINE') == 0, 'nothing of chines where there are none')
+    body%lines(body%sections(1)%line(3))%is_chine = .true.
+    call has('INCHES', nl//'CHINES, WHERE A BREAK IS MEANT: MHB'//nl, 'and their names, each once')
     deallocate (ring%meetings)
     allocate (ring%meetings(0))
     call tap%ok(index(printed('INCHES'), 'DEGREES') == 0, 'without meetings there is no table')
