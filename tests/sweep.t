@@ -101,10 +101,17 @@ $(cat "$work/err")"
     done
 done
 
-# A journal made by hand: some rows, the last one torn at every place.
+# A journal made by hand: some rows, changed if need be, each with its seal.
 journal() {
-    sed -n "1,$1p" "$work/a.csv" | sed '3,$s/,\(ok\|limit\|fault\),[01],/,\1,,/' > "$work/k.csv.partial"
+    sed -n "1,$1p" "$work/a.csv" | sed '3,$s/,\(ok\|limit\|fault\),[01],/,\1,,/' | sed "$2" |
+        while IFS= read -r row; do
+            case $row in
+                [0-9]*) printf '%s,%.8s\n' "$row" "$(printf %s "$row" | sha256sum)" ;;
+                *) printf '%s\n' "$row" ;;
+            esac
+        done > "$work/k.csv.partial"
 }
+# Some rows, the last one torn at every place.
 torn=0
 for bytes in 1 5 20 40 60 75 90 110 160 200 240 300 333; do
     rm -f "$work/k.csv"; journal 6
@@ -114,9 +121,7 @@ for bytes in 1 5 20 40 60 75 90 110 160 200 240 300 333; do
     [ "$status" = 0 ] && cmp -s "$work/k.csv" "$work/a.csv" || torn=$((torn + 1))
 done
 [ $torn = 0 ]; ok $? 'a journal torn anywhere, its header too, is gone on with' "$torn times not"
-rm -f "$work/k.csv"; journal 26
-sed '12,22s/^\(\([^,]*,\)\{7\}\)/\19/' "$work/k.csv.partial" > "$work/changed"
-cp "$work/changed" "$work/k.csv.partial"
+rm -f "$work/k.csv"; journal 26 '12,22s/^\(\([^,]*,\)\{7\}\)/\19/'
 loft sweep "$deck" -o "$work/k.csv" --resume
 [ "$status" = 0 ] && [ "$(diff "$work/k.csv" "$work/a.csv" | grep -c '^<')" = 11 ]
 ok $? 'no finished variant is computed again: rows in the journal are taken as they are' "status $status"
@@ -129,14 +134,16 @@ said 2 'is of another deck, or this deck was changed' 'a changed deck is refused
 [ "$(wc -l < "$work/k.csv.partial")" = 20 ]; ok $? 'and the journal stays'
 echo 'some,thing,else' >> "$work/k.csv.partial"
 loft sweep "$deck" -o "$work/k.csv" --resume
-said 2 'k.csv.partial:21: no row of this sweep' 'a line that is no row is named'
+said 2 'k.csv.partial:21: a row that was damaged' 'a line that is no row is named'
 rm -f "$work"/k.*; journal 20
-sed '7s/^\([0-9]*\),1/\1,2/' "$work/k.csv.partial" > "$work/changed"
+sed '9s/[1-8],ok/9,ok/; 9s/[1-8],limit/9,limit/' "$work/k.csv.partial" > "$work/changed"
 cp "$work/changed" "$work/k.csv.partial"
 loft sweep "$deck" -o "$work/k.csv" --resume
+said 2 'k.csv.partial:9: a row that was damaged' 'so is one with another figure'
+rm -f "$work"/k.*; journal 20 '7s/^\([0-9]*\),1/\1,2/'
+loft sweep "$deck" -o "$work/k.csv" --resume
 said 2 'k.csv.partial:7: no row of this sweep' 'so is one whose variables are not those of its variant'
-rm -f "$work"/k.*; head -n 5 "$work/a.csv" > "$work/k.csv"
-sed 's/,\(ok\|limit\),[01],/,\1,,/' "$work/k.csv" > "$work/had"
+journal 5; mv "$work/k.csv.partial" "$work/had"; head -n 5 "$work/a.csv" > "$work/k.csv"
 "$LOFT" sweep "$deck" -o "$work/k.csv" --resume > /dev/null 2>&1 &
 pid=$!
 until [ "$(wc -l 2> /dev/null < "$work/k.csv.partial")" -ge 6 ] 2> /dev/null || ! kill -0 $pid; do

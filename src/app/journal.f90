@@ -1,8 +1,8 @@
 !> The journal of a sweep: `FILE.partial`, to which each variant is written as a whole row the
-!> moment it is finished, in whatever order that is. It stays when LOFT is stopped or killed;
-!> `--resume` reads it and goes on. A last row that was torn is cut off and computed again. When all
-!> variants are done the result is written anew, in order, under its own name, and the journal is
-!> removed.
+!> moment it is finished, in whatever order that is, with its seal. It stays when LOFT is stopped or
+!> killed; `--resume` reads it and goes on. A last row that was torn is cut off and computed again.
+!> When all variants are done the result is written anew, in order, under its own name, and the
+!> journal is removed.
 module app_journal
     use, intrinsic :: iso_c_binding, only: c_associated, c_int, c_null_ptr, c_ptr
     use app_progress, only: tell_progress
@@ -16,6 +16,7 @@ module app_journal
     use sweep_keeper, only: keeper_type
     use sweep_plan, only: values_of
     use sweep_record, only: header_of, read_row, record_type, row_of_record
+    use sweep_seal, only: sealed, unseal
     use sweep_study, only: study_type
     implicit none (type, external)
     private
@@ -74,9 +75,9 @@ contains
             call fail(error, cause%file_trouble, journal%path//' is there, of a sweep that was '// &
                 'stopped: --resume goes on with it; without it, remove that file first')
         else if (has_journal) then
-            call read_rows(journal, journal%path, study, kept, error)
+            call read_rows(journal, journal%path, study, .true., kept, error)
         else if (has_result .and. is_resumed) then
-            call read_rows(journal, result, study, kept, error)
+            call read_rows(journal, result, study, .false., kept, error)
             kept = 0
             if (journal%done == study%plan%count) return
         end if
@@ -116,7 +117,7 @@ contains
         call journal%out%put(journal%header)
         do i = 1, size(journal%record)
             if (journal%record(i)%number > 0) &
-                call journal%out%line(row_of_record(journal%record(i), .false.))
+                call journal%out%line(sealed(row_of_record(journal%record(i), .false.)))
         end do
         call journal%out%flush(error)
         if (allocated(error)) error%message = journal%path//': '//error%message
@@ -140,10 +141,11 @@ contains
     !> Reads the rows of a journal, or of a result.
     !>
     !> Fails with `cause%file_trouble` where it is of another deck, or a whole row is none.
-    subroutine read_rows(journal, name, study, kept, error)
+    subroutine read_rows(journal, name, study, has_seals, kept, error)
         class(journal_type), intent(inout) :: journal       !! gets the variants
         character(*), intent(in) :: name                    !! of the file
         type(study_type), intent(in) :: study               !! the sweep
+        logical, intent(in) :: has_seals                    !! it is a journal
         integer(i64), intent(out) :: kept                   !! bytes of header and whole rows
         type(error_type), allocatable, intent(out) :: error !! see above
         character(:), allocatable :: text
@@ -165,7 +167,13 @@ contains
             feed = index(text(kept + 1:), new_line('a'), kind=i64)
             if (feed == 0) exit
             line = line + 1
-            call take_row(journal, text(kept + 1:kept + feed - 1), study, error)
+            associate (row => text(kept + 1:kept + feed - 1))
+                if (has_seals) then
+                    call take_sealed_row(journal, row, study, error)
+                else
+                    call take_row(journal, row, study, error)
+                end if
+            end associate
             if (allocated(error)) then
                 error%message = name//':'//to_text(line)//': '//error%message
                 return
@@ -174,7 +182,27 @@ contains
         end do
     end subroutine read_rows
 
-    !> Takes a row of a journal: its variables have the values that the plan gives its variant.
+    !> Takes a row with its seal.
+    !>
+    !> Fails with `cause%file_trouble` where it does not fit its seal, or is none of this sweep.
+    subroutine take_sealed_row(journal, row, study, error)
+        class(journal_type), intent(inout) :: journal       !! gets the variant
+        character(*), intent(in) :: row                     !! without line feed
+        type(study_type), intent(in) :: study               !! the sweep
+        type(error_type), allocatable, intent(out) :: error !! see above
+        character(:), allocatable :: unsealed
+        logical :: fits
+
+        call unseal(row, unsealed, fits)
+        if (fits) then
+            call take_row(journal, unsealed, study, error)
+        else
+            call fail(error, cause%file_trouble, 'a row that was damaged; remove the line, and '// &
+                'its variant is computed again')
+        end if
+    end subroutine take_sealed_row
+
+    !> Takes a row: its variables have the values that the plan gives its variant.
     !>
     !> Fails with `cause%file_trouble` where it is none.
     subroutine take_row(journal, row, study, error)
@@ -205,7 +233,7 @@ contains
         type(error_type), allocatable, intent(out) :: error !! see above
 
         if (c_associated(keeper%stream)) then
-            call keeper%out%line(row_of_record(record, .false.))
+            call keeper%out%line(sealed(row_of_record(record, .false.)))
             call keeper%out%flush(error)
             if (allocated(error)) then
                 error%message = keeper%path//': '//error%message//'; --resume goes on from here'
