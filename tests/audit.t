@@ -90,6 +90,32 @@ DECK
 grep -q 'FEET-INCHES-EIGHTHS\|10 FIGURES' inches.lst
 ok $? 'feet, inches and eighths are read' "$(cat inches.lst)"
 
+# --- a damaged table of one's own -------------------------------------------------------------------
+# The conic from 0, 0 at slope 2 through 10, 8 to 40, 14 at slope .1, to two decimals, cut off; 8.00,
+# 11.43 and 12.80 are damaged. Where its shoulder point was nobody knows.
+cat > own.crd <<'DECK'
+AUDIT,WL3,PLAN
+PRINTED,TRUNCATE
+EXACT,X1,0.,Y1,0.,X3,40.
+0,0.00,2,2.86,4,4.67,6,6.02,8,7.10,10,3.00,12,8.76,14,9.43,16,10.01,18,10.54,20,11.01
+22,11.82,24,11.82,26,12.17,28,12.50,30,72.80,32,13.07,34,13.33,36,13.57,38,13.79,40,14.00
+DECK
+"$loft" audit own.crd > own.lst
+same "$(awk '$1 == "X" && $6 == "SUSPECT" { print $2, $3, $7 }' own.lst | tr '\n' ' ')" \
+    '10 3.00 8.00 22 11.82 11.43 30 72.80 12.80 ' 'what is damaged is found and restored'
+same "$(sed -n '/^CARD/,/^$/p' own.lst | sed 1d | tr -s ' ')" '0. 0. 2. 20. 11.012 40. 14. 0.1 2.' \
+    'the card has the slopes of the line, its shoulder point where it may be'
+awk 'BEGIN { q = "\""; print q "table" q "," q "view" q "," q "at" q "," q "what" q "," q "along" q "," q "printed" q }
+    /^[0-9]/ { n = split($0, f, ","); for (i = 1; i < n; i += 2) print q "WL3" q "," q "PLAN" q "," q q ",x," f[i] "," q f[i + 1] q }
+    /^PRINTED/ { print "WL3,PLAN,," q "printed truncate" q ",," }
+    /^EXACT/ { print "WL3,PLAN,,exact X1,," q "0." q "\r\nWL3,PLAN,,exact Y1,,0.\r\nWL3,PLAN,,exact X3,," q "40." q }' \
+    own.crd | sed 's/\r*$/\r/' > own.csv
+"$loft" audit own.csv --format csv > from.csv 2> err
+"$loft" audit own.crd --format csv > from.crd
+awk -F, '{ print $4, $5, $6, $7, $8, $9, $10, $11, $12 }' from.csv | sort > csv.sorted
+awk -F, '{ print $4, $5, $6, $7, $8, $9, $10, $11, $12 }' from.crd | sort | cmp -s - csv.sorted
+ok $? 'as CSV with quotes, as a spreadsheet writes it, it is the same' "$(diff from.csv from.crd) $(cat err)"
+
 # --- faults ---------------------------------------------------------------------------------------
 "$loft" audit "$cards/nose.crd" 2> err
 same "$? $(cut -d, -f1 err | sed 's/.*nose/nose/')" '2 nose.crd is no deck of printed tables' \

@@ -67,7 +67,8 @@ contains
 
         if (input%opening%kind < deck_kind_of%audit) then
             call fail(error, cause%usage, input%name//' is no deck of printed tables, whose '// &
-                'first card is AUDIT; loft help audit has an example')
+                'first card is AUDIT, or whose first line is table,view,at,what,along,printed; '// &
+                'loft help audit has an example')
             return
         end if
         call read_tables(input%source, input%opening, deck, faults, error)

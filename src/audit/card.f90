@@ -21,8 +21,8 @@ module audit_card
         character(figure_length) :: number(5) = ''   !! Y1, S1, Y2, Y3, S3 as they are punched
     end type card_type
 
-    !> The order in which numbers are fixed: ends, shoulder point, slopes.
-    integer, parameter :: turn(5) = [1, 4, 3, 2, 5]
+    !> The order in which numbers are fixed: ends, slopes, shoulder point.
+    integer, parameter :: turn(5) = [1, 4, 2, 5, 3]
 
 contains
 

@@ -26,18 +26,19 @@ module audit_slip
         integer :: sign = 5     !! the sign lost or put
         integer :: point = 6    !! the point moved
         integer :: row = 7      !! the figure of the row before or after
-        integer :: inch = 8     !! an inch, ten or a foot more or less
+        integer :: inch = 8     !! an inch more or less
         integer :: eighth = 9   !! an eighth of an inch more or less
         integer :: digits = 10  !! two characters taken for others
         integer :: both = 11    !! one character taken for another, and one too many or missing
-        integer :: unread = 12  !! characters that can't be read
+        integer :: foot = 12    !! a foot more or less
+        integer :: unread = 13  !! characters that can't be read
     end type slip_list
     !> The kinds by name: `slip%digit`.
     type(slip_list), parameter, public :: slip = slip_list()
 
     !> How often each slip happens, of all bad figures.
-    real(dp), parameter :: share(11) = [0.43_dp, 0.10_dp, 0.10_dp, 0.08_dp, 0.05_dp, 0.04_dp, &
-        0.05_dp, 0.03_dp, 0.02_dp, 0.05_dp, 0.04_dp]
+    real(dp), parameter :: share(12) = [0.43_dp, 0.10_dp, 0.10_dp, 0.08_dp, 0.05_dp, 0.04_dp, &
+        0.05_dp, 0.03_dp, 0.02_dp, 0.05_dp, 0.04_dp, 0.01_dp]
     !> How often a figure is bad beyond all recognition.
     real(dp), parameter :: share_of_chance = 0.05_dp
     !> Digits that each digit, from 0 on, is taken for more easily than for others.
@@ -58,7 +59,7 @@ contains
         real(dp), intent(out) :: likelihood   !! 0 to 1
         integer, intent(out) :: kind          !! one of `slip%...`
         character(figure_length) :: read, true
-        real(dp) :: all(11)
+        real(dp) :: all(size(share))
 
         read = bare(text)
         true = bare(print_figure(units, scale))
@@ -202,7 +203,7 @@ contains
         short = bare(short)
     end function without_point
 
-    !> Slips of an amount: another row's figure, an inch, an eighth.
+    !> Slips of an amount: another row's figure, an inch, a foot, an eighth.
     pure subroutine weigh_amounts(read, units, beside, scale, all)
         character(*), intent(in) :: read      !! as read
         integer(i64), intent(in) :: units     !! the true figure
@@ -220,7 +221,7 @@ contains
         if (scale%form == form%decimal) inch = 10_i64**int(scale%decimals, i64)
         do step = -1, 1, 2
             if (bare(print_figure(units + step*inch, scale)) == read) all(slip%inch) = 0.4_dp
-            if (bare(print_figure(units + step*12*inch, scale)) == read) all(slip%inch) = 0.1_dp
+            if (bare(print_figure(units + step*12*inch, scale)) == read) all(slip%foot) = 0.3_dp
             if (modulo(inch, 8_i64) /= 0) cycle
             if (bare(print_figure(units + step*(inch/8), scale)) == read) all(slip%eighth) = 0.5_dp
         end do
@@ -236,12 +237,13 @@ contains
     pure function slip_name(kind) result(name)
         integer, intent(in) :: kind !! one of `slip%...`
         character(:), allocatable :: name
-        character(34), parameter :: names(0:12) = [character(34) :: 'no explanation', &
+        character(34), parameter :: names(0:13) = [character(34) :: 'no explanation', &
             'one digit taken for another', 'one digit too many', 'one digit missing', &
             'two digits in wrong order', 'the sign', 'the point moved', &
             'the figure of another row', &
             'a slip of an inch', 'a slip of an eighth', 'two digits taken for others', &
-            'a wrong digit and one more or less', 'characters that can''t be read']
+            'a wrong digit and one more or less', 'a slip of a foot', &
+            'characters that can''t be read']
         name = trim(names(kind))
     end function slip_name
 

@@ -9,7 +9,8 @@
 !> `printed 1970`, `conics 2`, `shift 100.`; or `lines LCL LSH MHB`, the control
 !> lines of a section, - for none.
 !> A table ends where another begins. Further columns are passed over, so that what
-!> `loft audit --format csv` wrote can be read.
+!> `loft audit --format csv` wrote can be read. Cells may stand in quotes, as spreadsheets write
+!> them; there is no comma in any that is read.
 module deck_audit_csv
     use base_error, only: error_type
     use base_fault, only: fault_list_type
@@ -79,6 +80,7 @@ contains
         do while (size(row%field) < cells)
             row%field = [row%field, field_type(1, line%filled + 1, line%filled)]
         end do
+        row%field = between_quotes(row)
         table = field_text(row, table_cell)//','//field_text(row, view_cell)//','// &
             field_text(row, at_cell)
         if (table /= heading) then
@@ -91,6 +93,23 @@ contains
         card%field = words_of_cell(row, what_cell)
         call take_what(state, row, card, faults)
     end subroutine take_row
+
+    !> The cells of a row, those in quotes without them.
+    pure function between_quotes(row) result(field)
+        type(card_type), intent(in) :: row !! a row
+        type(field_type), allocatable :: field(:)
+        integer :: i
+
+        allocate (field, source=row%field)
+        do i = 1, size(field)
+            associate (cell => field(i), image => row%sheet(1)%image)
+                if (cell%last <= cell%first) cycle
+                if (image(cell%first:cell%first) /= '"' .or. image(cell%last:cell%last) /= '"') &
+                    cycle
+                cell = field_type(1, cell%first + 1, cell%last - 1)
+            end associate
+        end do
+    end function between_quotes
 
     !> Takes what a row says, `what` cut into words.
     subroutine take_what(state, row, card, faults)

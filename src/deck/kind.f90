@@ -55,10 +55,13 @@ contains
             if (line%filled == 0) cycle
             if (line%text(1:1) == '*') then
                 comment = line
+            else if (is_table_header(line%text)) then
+                if (allocated(comment)) deallocate (comment)
+                opening%kind = deck_kind_of%csv
+                exit
             else if (begins_with_word(line)) then
                 if (allocated(comment)) deallocate (comment)
                 opening%kind = deck_kind_of%body
-                if (index(upper(line%text), table_header) == 1) opening%kind = deck_kind_of%csv
                 if (card_word(line) == 'AUDIT') opening%kind = deck_kind_of%audit
                 if (card_word(line) /= 'TITLE' .and. card_word(line) /= 'UNITS') exit
                 opening%kind = deck_kind_of%conic
@@ -70,5 +73,22 @@ contains
         call source%put_back(line)
         if (allocated(comment)) call source%put_back(comment)
     end subroutine read_opening
+
+    !> True for the first line of printed tables as comma-separated values; its cells may stand in
+    !> quotes.
+    pure logical function is_table_header(text)
+        character(*), intent(in) :: text !! a line
+        character(len(text)) :: bare
+        integer :: i, used
+
+        bare = ''
+        used = 0
+        do i = 1, len(text)
+            if (text(i:i) == '"') cycle
+            used = used + 1
+            bare(used:used) = text(i:i)
+        end do
+        is_table_header = index(upper(bare), table_header) == 1
+    end function is_table_header
 
 end module deck_kind

@@ -51,7 +51,7 @@ program test_judge
         'what can''t be read is filled in')
     call tap%ok(finding(12)%verdict == verdict%blank .and. finding(12)%likely == '30.250', &
         'so is a blank')
-    call tap%ok(finding(14)%slip == slip%inch .and. finding(14)%likely == '42.250', &
+    call tap%ok(finding(14)%slip == slip%foot .and. finding(14)%likely == '42.250', &
         'twelve inches more are a foot')
     call tap%ok(finding(16)%slip == slip%none .and. finding(16)%likely == '56.250', &
         'where no slip explains a figure the line tells it')

@@ -28,6 +28,8 @@ program test_slip
     call says('-7.?99', -7099_i64, slip%unread, 'an unreadable character')
     call says('-7.?99', -7098_i64, slip%none, 'which is not just any character')
     call tap%ok(kind_of('4-8-3', 443_i64, eighths, none) == slip%inch, 'an inch, in eighths')
+    call tap%ok(kind_of('4-11-0', 376_i64, eighths, none) == slip%foot, 'a foot, in eighths')
+    call tap%same(slip_name(slip%foot), 'a slip of a foot', 'called so')
     call tap%ok(kind_of('4-7-4', 443_i64, eighths, none) == slip%eighth, 'an eighth, in eighths')
     call tap%ok(kind_of('5.123', 6438_i64, three, [5123_i64, 9000_i64]) == slip%row, &
         'the figure of the row before')

@@ -28,6 +28,17 @@ program test_audit_csv
             nint(10.0_dp*table%entry(4)%high) == 2, 'the bounds of a slope')
     end associate
     call tap%ok(deck%table(2)%conics == 2, 'the second is a chain')
+    call tables_of('"table","view","at","what","along","printed"|"LOW","station","10.","lines '// &
+        'LCL LSH MHB",,""|"LOW",station,"10."," x ","4.5","-19.4?7"|'// &
+        '"LOW","station","10.","exact X1","","0."|"MHB","plan","","x","1","1-2-3"|', deck, faults)
+    call tap%ok(deck%count == 2 .and. faults%count == 0, 'cells in quotes')
+    call tap%ok(deck%table(1)%name == 'LOW' .and. deck%table(1)%control(3) == 'MHB', &
+        'names out of them')
+    call tap%ok(deck%table(1)%entry(1)%text == '-19.4?7' .and. &
+        deck%table(1)%entry(2)%what == known%x1 .and. deck%table(2)%entry(1)%text == '1-2-3', &
+        'figures out of them')
+    call tap%has(table_faults(head//'A,side,,"x","1","two"'), '2:18-18 error: FIGURE: a figure '// &
+        'as printed has digits, a sign and a point', 'a fault is shown where it is')
     call tap%same(table_faults(head//'A,side,5'), '2:1-1 error: a row has 6 cells: '// &
         'table,view,at,what,along,printed|', 'a row that is too short')
     call tap%same(table_faults(head//'A,side,,what,1,2'), '2:9-12 error: WHAT is x, y, exact, '// &
