@@ -69,16 +69,15 @@ contains
         type(outline_type), intent(in) :: outline       !! of the outside
         type(outline_type), intent(out) :: inside       !! see above
         type(loss_type), intent(inout) :: loss          !! what is left out
-        type(cut_point_type) :: point
-        logical :: is_found
+        logical, allocatable :: is_found(:)
         integer :: i
 
-        allocate (inside%pieces(0), inside%points(0))
-        do i = 1, size(outline%points)
-            point = outline%points(i)
-            call pass_through(body, cut, ahead_at(outline, i), point, is_found, loss)
-            if (is_found) inside%points = [inside%points, point]
+        allocate (inside%pieces(0), is_found(size(outline%points)))
+        inside%points = outline%points
+        do i = 1, size(is_found)
+            call pass_through(body, cut, ahead_at(outline, i), inside%points(i), is_found(i), loss)
         end do
+        if (.not. all(is_found)) inside%points = pack(inside%points, is_found)
         inside%is_closed = outline%is_closed .and. size(inside%points) == size(outline%points)
     end subroutine inside_of
 

@@ -9,11 +9,9 @@ module cut_lengthwise
     use cut_clip, only: clipped
     use cut_event, only: happening
     use cut_outline, only: cut_point_type, outline_type, piece_type
-    use cut_point, only: turned_back
     use cut_request, only: request_type
-    use cut_spread, only: stations_on
+    use cut_strand, only: close_at, join, points_said, say_points, spread_on, strand_type
     use cut_track, only: track_type, tracks_on
-    use cut_track_row, only: points_on_track
     use cut_walk, only: point_at
     implicit none (type, external)
     private
@@ -209,37 +207,39 @@ contains
         type(chain_type), intent(in) :: chain                   !! some of them
         type(outline_type), intent(out) :: outline              !! see above
         type(error_type), allocatable, intent(out) :: error     !! of `stations_on`
-        type(cut_point_type), allocatable :: points(:)
-        integer :: i
+        type(strand_type) :: strands(size(chain%part))
+        integer :: i, count
 
-        allocate (outline%points(0), outline%pieces(0))
-        outline%is_closed = chain%is_closed
-        do i = 1, size(chain%part)
-            call points_of(body, request, tracks(abs(chain%part(i))), points, error)
+        do i = 1, size(strands)
+            call spread_on(body, request, tracks(abs(chain%part(i))), chain%part(i) > 0, &
+                strands(i), error)
             if (allocated(error)) return
-            points%piece = i
-            if (chain%part(i) < 0) points = turned_back(points(size(points):1:-1))
-            if (i > 1) then
-                if (is_same(outline%points(size(outline%points)), points(1))) points = points(2:)
-            end if
-            if (i == size(chain%part) .and. chain%is_closed .and. i > 1) then
-                if (is_same(points(size(points)), outline%points(1))) &
-                    points = points(:size(points) - 1)
-            end if
-            outline%pieces = [outline%pieces, piece_of(tracks(abs(chain%part(i))), &
-                chain%part(i) > 0)]
-            outline%pieces(i)%first = size(outline%points) + 1
-            outline%points = [outline%points, points]
-            outline%pieces(i)%last = size(outline%points)
+        end do
+        do i = 2, size(strands)
+            call join(strands(i - 1), strands(i))
+        end do
+        if (chain%is_closed .and. size(strands) > 1) &
+            call close_at(strands(size(strands)), strands(1))
+        outline%is_closed = chain%is_closed
+        allocate (outline%pieces(size(strands)))
+        count = 0
+        do i = 1, size(strands)
+            associate (piece => outline%pieces(i))
+                piece = piece_of(tracks(abs(chain%part(i))), chain%part(i) > 0)
+                piece%first = count + 1
+                count = count + points_said(strands(i))
+                piece%last = count
+            end associate
+        end do
+        allocate (outline%points(count))
+        do i = 1, size(strands)
+            associate (piece => outline%pieces(i))
+                call say_points(body, request, tracks(abs(chain%part(i))), strands(i), &
+                    outline%points(piece%first:piece%last))
+                outline%points(piece%first:piece%last)%piece = i
+            end associate
         end do
     end subroutine run_through
-
-    !> True for points of one section that are one.
-    pure logical function is_same(first, second)
-        type(cut_point_type), intent(in) :: first   !! a point
-        type(cut_point_type), intent(in) :: second  !! another
-        is_same = first%section == second%section .and. all(is_equal(first%at, second%at))
-    end function is_same
 
     !> A track as a piece.
     pure type(piece_type) function piece_of(track, is_aft) result(piece)
@@ -250,20 +250,5 @@ contains
         piece%from = merge(track%from%sta, track%to%sta, is_aft)
         piece%to = merge(track%to%sta, track%from%sta, is_aft)
     end function piece_of
-
-    !> The points of a track, aft.
-    pure subroutine points_of(body, request, track, points, error)
-        type(body_type), intent(in) :: body                             !! finished
-        type(request_type), intent(in) :: request                       !! plane and rule
-        type(track_type), intent(in) :: track                           !! of both
-        type(cut_point_type), allocatable, intent(out) :: points(:)     !! in order
-        type(error_type), allocatable, intent(out) :: error             !! of `stations_on`
-        real(dp), allocatable :: stations(:)
-
-        call stations_on(body, track, request, stations, error)
-        if (allocated(error)) return
-        allocate (points(size(stations)))
-        call points_on_track(body, track, stations, request, points)
-    end subroutine points_of
 
 end module cut_lengthwise

@@ -8,6 +8,7 @@ module cut_measure_body
     use base_error, only: cause, error_type, fail
     use base_exact, only: is_equal
     use base_kinds, only: dp
+    use base_order, only: rising
     use base_text, only: compact
     use base_tolerances, only: quadrature_tolerance, segment_tolerance
     use body_body, only: body_type, smooth_stops
@@ -109,21 +110,8 @@ contains
             if (body%sections(i)%from < body%sections(i)%to) &
                 found = [found, smooth_stops(body, body%sections(i))]
         end do
-        stops = in_order(found)
+        stops = rising(found)
     end function stops_of
-
-    !> Numbers in order, each once.
-    pure function in_order(numbers) result(sorted)
-        real(dp), intent(in) :: numbers(:) !! any
-        real(dp), allocatable :: sorted(:)
-
-        sorted = [real(dp) :: ]
-        if (size(numbers) == 0) return
-        sorted = [minval(numbers)]
-        do while (any(numbers > sorted(size(sorted))))
-            sorted = [sorted, minval(numbers, mask=numbers > sorted(size(sorted)))]
-        end do
-    end function in_order
 
     !> Measures the sections at the stations wanted and on a regular grid.
     pure subroutine draw_curve(body, stations, measure)
@@ -138,7 +126,7 @@ contains
             i=0, grid_parts)]
         grid(grid_parts) = measure%to
         allocate (sta(0))
-        sta = in_order([grid, pack(stations, stations >= measure%from &
+        sta = rising([grid, pack(stations, stations >= measure%from &
             .and. stations <= measure%to)])
         deallocate (measure%curve)
         allocate (measure%curve(size(sta)))

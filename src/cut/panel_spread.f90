@@ -4,6 +4,8 @@ module cut_panel_spread
     use base_constants, only: largest_table
     use base_error, only: cause, error_type, fail
     use base_kinds, only: dp
+    use base_list, only: list_type
+    use base_order, only: ascending
     use base_text, only: compact, to_text
     use cut_meeting, only: is_across
     use cut_panel_track, only: panel_track_type
@@ -33,6 +35,7 @@ contains
         real(dp), allocatable, intent(out) :: places(:)     !! 0 to `last_place`
         type(error_type), allocatable, intent(out) :: error !! see above
         type(request_type), parameter :: usual = request_type()
+        type(list_type) :: found
         real(dp), allocatable :: levels(:), s(:), length(:)
         integer :: parts, i
 
@@ -48,9 +51,9 @@ contains
                     end associate
                     if (allocated(error)) return
                     do i = 1, size(levels)
-                        places = [places, crossings(walk, request%axis, levels(i))]
+                        call found%add(crossings(walk, request%axis, levels(i)))
                     end do
-                    places = [0.0_dp, sorted(places), last_place(walk)]
+                    places = [0.0_dp, ascending(found%all()), last_place(walk)]
                     return
                 end if
             case (cut_rule%chord)
@@ -128,20 +131,6 @@ contains
         end do
     end function crossings
 
-    !> Numbers in ascending order.
-    pure function sorted(x) result(y)
-        real(dp), intent(in) :: x(:) !! any numbers
-        real(dp) :: y(size(x)), next
-        integer :: i, before
-        y = x
-        do i = 2, size(y)
-            next = y(i)
-            before = count(y(:i - 1) <= next)
-            y(before + 2:i) = y(before + 1:i - 1)
-            y(before + 1) = next
-        end do
-    end function sorted
-
     !> The places such that no chord is further than a tolerance from the track: what is ahead is
     !> halved until its chord is near enough. Fails with `cause%too_many`.
     pure subroutine within_chords(walk, tolerance, places, error)
@@ -149,26 +138,28 @@ contains
         real(dp), intent(in) :: tolerance                       !! deck units, above zero
         real(dp), allocatable, intent(inout) :: places(:)       !! ends included
         type(error_type), allocatable, intent(out) :: error     !! see above
+        type(list_type) :: found
         real(dp) :: ahead(deepest)
         integer :: left
 
-        places = [0.0_dp]
+        call found%add(0.0_dp)
         ahead(:2) = [1.0_dp, 0.5_dp]*last_place(walk)
         left = 2
         do while (left > 0)
-            if (left < deepest .and. .not. is_flat(places(size(places)), ahead(left))) then
-                ahead(left + 1) = 0.5_dp*(places(size(places)) + ahead(left))
+            if (left < deepest .and. .not. is_flat(found%item(found%count), ahead(left))) then
+                ahead(left + 1) = 0.5_dp*(found%item(found%count) + ahead(left))
                 left = left + 1
                 cycle
             end if
-            places = [places, ahead(left)]
+            call found%add(ahead(left))
             left = left - 1
-            if (size(places) <= largest_table) cycle
+            if (found%count <= largest_table) cycle
             call fail(error, cause%too_many, 'chords within '//compact(tolerance)// &
                 ' of an outline are too many; LOFT makes at most '//to_text(largest_table)// &
                 ' points: take a larger tolerance')
             return
         end do
+        places = found%all()
     contains
         !> True where the quarters of a stretch are as near to its chord as asked.
         pure logical function is_flat(from, to)
@@ -205,7 +196,7 @@ contains
                 if (limit%has_to) stops = [stops, crossings(walk, axis, limit%to)]
             end associate
         end do
-        stops = [0.0_dp, sorted(stops), last]
+        stops = [0.0_dp, ascending(stops), last]
         allocate (ends(2, size(stops)))
         count_of = 0
         do i = 1, size(stops) - 1

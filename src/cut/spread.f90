@@ -4,6 +4,8 @@ module cut_spread
     use base_decimal, only: grid_type
     use base_error, only: cause, error_type, fail
     use base_kinds, only: dp, i64
+    use base_list, only: list_type
+    use base_order, only: ascending
     use base_text, only: compact, to_text
     use base_tolerances, only: decimal_noise, spacing_tolerance, ulp
     use body_body, only: body_type, smooth_stops
@@ -12,7 +14,7 @@ module cut_spread
     use cut_track, only: track_type
     use cut_walk, only: coordinate_type, parameter_of, point_at, speed_type, station_of
     use geom_spacing, only: new_scale, parameters_at, scale_type
-    use geom_zeros, only: sample_points, zeros_of
+    use geom_zeros, only: sample_type, samples_of, zeros_among
     implicit none (type, external)
     private
 
@@ -86,42 +88,26 @@ contains
         real(dp), allocatable, intent(inout) :: stations(:)     !! deck units, in order
         type(error_type), allocatable, intent(out) :: error     !! see `stations_on`
         type(coordinate_type) :: along
-        real(dp), allocatable :: levels(:), sta(:)
-        real(dp) :: span(2)
+        type(sample_type) :: known, sample
+        type(list_type) :: found
+        real(dp), allocatable :: levels(:)
         integer :: i
 
         along%body = body
         along%plane = request%plane
         along%track = track
         along%axis = request%axis
-        allocate (sta(0))
-        sta = [track%from%sta, sample_points(track%from%sta, track%to%sta), track%to%sta]
-        span = [huge(1.0_dp), -huge(1.0_dp)]
-        do i = 1, size(sta)
-            span = [min(span(1), along%at(sta(i))), max(span(2), along%at(sta(i)))]
-        end do
-        call steps_inside(request%grid, span, levels, error)
+        known = samples_of(along, track%from%sta, track%to%sta)
+        call steps_inside(request%grid, [minval(known%y), maxval(known%y)], levels, error)
         if (allocated(error)) return
+        sample = known
         do i = 1, size(levels)
             along%level = levels(i)
-            stations = [stations, zeros_of(along, track%from%sta, track%to%sta, 0.0_dp)]
+            sample%y = known%y - levels(i)
+            call found%add(zeros_among(along, sample, 0.0_dp))
         end do
-        call sort(stations)
+        stations = ascending(found%all())
     end subroutine crossings
-
-    !> Puts numbers in ascending order.
-    pure subroutine sort(x)
-        real(dp), intent(inout) :: x(:) !! any numbers
-        real(dp) :: next
-        integer :: i, before
-
-        do i = 2, size(x)
-            next = x(i)
-            before = count(x(:i - 1) <= next)
-            x(before + 2:i) = x(before + 1:i - 1)
-            x(before + 1) = next
-        end do
-    end subroutine sort
 
     !> The stations inside that divide a track into equal lengths. Fails with `cause%too_many` and
     !> with the causes of `new_scale`.

@@ -28,6 +28,7 @@ module cut_walk
         real(dp) :: level = 0.0_dp              !! deck units
     contains
         procedure :: at => coordinate_at
+        procedure :: values => coordinates_at
     end type coordinate_type
 
     !> The speed |dp/dt| along a track.
@@ -89,6 +90,24 @@ contains
         at = point_at(f%body, f%plane, f%track, x)
         value = at(f%axis) - f%level
     end function coordinate_at
+
+    !> A coordinate less its level at stations.
+    pure subroutine coordinates_at(f, x, y)
+        class(coordinate_type), intent(in) :: f     !! which, on which track
+        real(dp), intent(in) :: x(:)                !! stations, deck units
+        real(dp), intent(out) :: y(:)               !! one for each
+        type(step_type) :: steps(size(x))
+        integer :: i
+
+        call walk_on_track(f%body, f%plane, f%track, x, steps)
+        do i = 1, size(x)
+            if (steps(i)%is_done) then
+                y(i) = steps(i)%at(f%axis) - f%level
+            else
+                y(i) = f%at(x(i))
+            end if
+        end do
+    end subroutine coordinates_at
 
     !> The speed at t: (dSTA/dt)/(dSTA/ds).
     pure real(dp) function speed_at(f, t) result(speed)

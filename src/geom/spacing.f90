@@ -37,6 +37,8 @@ module geom_spacing
 
     !> More panels than any curve with a corner or two needs.
     integer, parameter :: most_panels = 400
+    !> As many as most curves need.
+    integer, parameter :: usual_panels = 8
     !> Steps of Newton's that turn a series round, where this is smooth enough to be used.
     integer, parameter :: most_steps = 12
     !> A speed at an end of a panel, beside its largest term, that is zero.
@@ -65,10 +67,11 @@ contains
         real(dp), intent(in) :: tolerance                   !! relative error asked of each panel
         type(scale_type), intent(out) :: scale              !! where there is no error
         type(error_type), allocatable, intent(out) :: error !! see above
-        type(panel_type) :: panels(most_panels)
+        type(panel_type), allocatable :: panels(:)
         real(dp) :: ahead(most_panels), from, longest
         integer :: count, left
 
+        allocate (panels(usual_panels))
         count = 0
         longest = 0.0_dp
         from = stops(1)
@@ -81,6 +84,7 @@ contains
                 return
             end if
             count = count + 1
+            if (count > size(panels)) call make_room(panels)
             panels(count) = panel_type(from=from, to=ahead(left))
             call measure(f, tolerance, longest, panels(count))
             if (panels(count)%is_good .or. &
@@ -96,6 +100,15 @@ contains
         scale%panels = panels(:count)
         scale%length = sum(panels(:count)%length)
     end subroutine new_scale
+
+    !> Makes room for as many panels again.
+    pure subroutine make_room(panels)
+        type(panel_type), allocatable, intent(inout) :: panels(:) !! keeps those it has
+        type(panel_type), allocatable :: grown(:)
+        allocate (grown(2*size(panels)))
+        grown(:size(panels)) = panels
+        call move_alloc(grown, panels)
+    end subroutine make_room
 
     !> A panel, and whether it is near enough. One that is not is as if the speed were constant.
     pure subroutine measure(f, tolerance, longest, panel)

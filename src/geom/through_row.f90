@@ -1,7 +1,7 @@
 !> Arcs in a row by their ends, end tangents and shoulder points, by the formulas of `geom_triangle`
 !> and `geom_arc` on rows of numbers. The figures are the same.
 module geom_through_row
-    use base_kinds, only: dp
+    use base_kinds, only: dp, i64
     use base_tolerances, only: decimal_noise, ulp
     use geom_arc_row, only: arc_row_type
     use geom_twofold, only: twofold_type
@@ -18,6 +18,8 @@ module geom_through_row
     !> One, and rows of it and of a half.
     type(twofold_type), parameter :: one = twofold_type(1.0_dp, 0.0_dp)
     real(dp), parameter :: one_each(width) = 1.0_dp, half_each(width) = 0.5_dp
+    !> Where a double has its exponent.
+    integer(i64), parameter :: exponent_bits = int(z'7FF0000000000000', i64)
 
     !> Ends of arcs.
     type :: end_row_type
@@ -106,7 +108,12 @@ contains
     pure function powers_of_two(x) result(power)
         real(dp), intent(in) :: x(width) !! not negative
         real(dp) :: power(width)
-        power = scale(1.0_dp, exponent(merge(x, 0.5_dp, x > 0.0_dp)))
+        integer(i64) :: bits
+        integer :: i
+        do i = 1, width
+            bits = iand(transfer(max(x(i), tiny(1.0_dp)), bits), exponent_bits)
+            power(i) = merge(2.0_dp*transfer(bits, 1.0_dp), 1.0_dp, x(i) > 0.0_dp)
+        end do
     end function powers_of_two
 
     !> Tangents scaled near 1.

@@ -11,7 +11,12 @@ module geom_zeros
     implicit none (type, external)
     private
 
-    public :: function_type, zeros_of, zero_between, sample_points
+    public :: function_type, zeros_of, zero_between, sample_points, sample_type, samples_of
+    public :: zeros_among
+
+    !> Samples of an interval besides its ends: the nearest to an end is 1/4000 of the length
+    !> from it, the widest apart are 1/40 of the length.
+    integer, parameter :: samples = 63
 
     !> A function: extend it with what it needs to know, and with `values` where many values at once
     !> cost less.
@@ -20,6 +25,12 @@ module geom_zeros
         procedure(value_at), deferred :: at
         procedure :: values => one_by_one
     end type function_type
+
+    !> A function at the samples of an interval and its ends.
+    type :: sample_type
+        real(dp) :: x(samples + 2) = 0.0_dp !! where, in order
+        real(dp) :: y(samples + 2) = 0.0_dp !! the values
+    end type sample_type
 
     abstract interface
         !> The value of the function.
@@ -31,14 +42,13 @@ module geom_zeros
         end function value_at
     end interface
 
-    !> Samples of an interval besides its ends: the nearest to an end is 1/4000 of the length
-    !> from it, the widest apart are 1/40 of the length.
-    integer, parameter :: samples = 63
     !> Steps that narrow an extreme: each takes .618 of the interval.
     integer, parameter :: narrowings = 60
     !> How many times the changes of two steps in turn a value must be to be beyond the reach of all
     !> further ones, each of which changes a smooth function by .4 of the one before.
     real(dp), parameter :: hopeless = 1.0e3_dp
+    !> Samples that differ by less than this part of their size show no extreme that reaches zero.
+    real(dp), parameter :: level = 1.0e-6_dp
     !> Halvings that take any interval of doubles to its last bit.
     integer, parameter :: halvings = 1100
 
@@ -53,12 +63,33 @@ contains
         real(dp), intent(in) :: to            !! upper end
         real(dp), intent(in) :: noise         !! magnitude that is nothing but round-off
         real(dp), allocatable :: zeros(:)
+        allocate (zeros(0))
+        zeros = zeros_among(f, samples_of(f, from, to), noise)
+    end function zeros_of
+
+    !> A function at the samples of an interval.
+    pure type(sample_type) function samples_of(f, from, to) result(sample)
+        class(function_type), intent(in) :: f !! the function
+        real(dp), intent(in) :: from          !! lower end
+        real(dp), intent(in) :: to            !! upper end
+        sample%x = [from, sample_points(from, to), to]
+        sample%y(1) = f%at(from)
+        call f%values(sample%x(2:samples + 1), sample%y(2:samples + 1))
+        sample%y(samples + 2) = f%at(to)
+    end function samples_of
+
+    !> What `zeros_of` says where the samples are known.
+    pure function zeros_among(f, sample, noise) result(zeros)
+        class(function_type), intent(in) :: f       !! the function
+        type(sample_type), intent(in) :: sample     !! of it
+        real(dp), intent(in) :: noise               !! magnitude that is nothing but round-off
+        real(dp), allocatable :: zeros(:)
         real(dp) :: x(samples + 2), y(samples + 2), extreme
         integer :: i, clear
 
         allocate (zeros(0))
-        x = [from, sample_points(from, to), to]
-        call f%values(x, y)
+        x = sample%x
+        y = sample%y
         if (all(abs(y) <= noise)) return
         clear = findloc(abs(y) > noise, .true., dim=1)
         call settle(y, noise)
@@ -75,7 +106,7 @@ contains
                 zeros = [zeros, zero_between(f, x(i - 2), extreme), zero_between(f, extreme, x(i))]
             end if
         end do
-    end function zeros_of
+    end function zeros_among
 
     !> The values of a function.
     pure subroutine one_by_one(f, x, y)
@@ -119,10 +150,12 @@ contains
         changes = sign(1.0_dp, first)*sign(1.0_dp, second) < 0.0_dp
     end function changes
 
-    !> True where three values of one sign have their least magnitude in the middle.
+    !> True where three values of one sign have their least magnitude in the middle, and differ by
+    !> more than what is nothing beside them.
     pure logical function is_nearing(y)
         real(dp), intent(in) :: y(3) !! neighbouring values
-        is_nearing = .not. any(changes(y(1), y(2:3))) .and. abs(y(2)) <= min(abs(y(1)), abs(y(3)))
+        is_nearing = .not. any(changes(y(1), y(2:3))) .and. abs(y(2)) <= min(abs(y(1)), abs(y(3))) &
+            .and. max(abs(y(1)), abs(y(3))) - abs(y(2)) >= level*abs(y(2))
     end function is_nearing
 
     !> Where `side*f` is least in an interval, by the golden section; it stops where this is below
@@ -165,12 +198,13 @@ contains
         class(function_type), intent(in) :: f !! the function
         real(dp), intent(in) :: from          !! one end
         real(dp), intent(in) :: to            !! the other end, the sign is another there
-        real(dp) :: x(2), y(2), next, value, least
+        real(dp) :: x(2), y(2), off(2), next, value, least
         integer :: i, moved, before
 
         x = [from, to]
         least = ulp**2*maxval(abs(x))
         y = [f%at(from), f%at(to)]
+        off = abs(y)
         before = 0
         do i = 1, halvings
             next = x(1) - y(1)*((x(2) - x(1))/(y(2) - y(1)))
@@ -180,11 +214,12 @@ contains
             moved = merge(2, 1, changes(y(1), value))
             x(moved) = next
             y(moved) = value
+            off(moved) = abs(value)
             if (moved == before) y(3 - moved) = 0.5_dp*y(3 - moved)
             before = moved
             if (.not. abs(value) > 0.0_dp) exit
         end do
-        zero = x(minloc(abs([f%at(x(1)), f%at(x(2))]), dim=1))
+        zero = x(minloc(off, dim=1))
     contains
         !> True strictly between the ends.
         pure logical function is_inside(place)

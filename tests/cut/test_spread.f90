@@ -41,6 +41,12 @@ program test_spread
     call stations_on(body, tracks(1), by_step(waterline_plane(3.0_dp), 2, 2400), sta, error)
     call tap%near(maxval(abs(sta - [-4.0_dp, -3.2_dp, 3.2_dp, 4.0_dp])), 0.0_dp, 1.0e-14_dp, &
         'steps along BL are passed out and back')
+    call stations_on(body, tracks(1), by_step(waterline_plane(3.0_dp), 2, 1), sta, error)
+    call tap%ok(size(sta) == 2*4000, 'thousandths along BL: 3999 out and back, the ends')
+    if (size(sta) == 2*4000) call tap%near(maxval(abs(sta(2:7999) - [(sign(sqrt(16.0_dp &
+        - (1.0e-3_dp*real(4000 - abs(i), dp))**2), real(i, dp)), i=-3999, -1), (sign(sqrt(16.0_dp &
+        - (1.0e-3_dp*real(4000 - abs(i), dp))**2), real(i, dp)), i=1, 3999)])), 0.0_dp, 1.0e-9_dp, &
+        'each where the circle has it')
     request = by_number(waterline_plane(3.0_dp), 0)
     request%rule = cut_rule%length
     request%step = 1.2_dp

@@ -1,12 +1,14 @@
 !> Zeros of functions whose zeros are known: simple ones, close pairs, touching, beside an end.
 program test_zeros
     use base_kinds, only: dp
-    use geom_zeros, only: sample_points, zero_between, zeros_of
+    use geom_zeros, only: sample_points, sample_type, samples_of, zero_between, zeros_among, &
+        zeros_of
     use support_polynomial, only: product_type
     use support_tap, only: tap_type
     implicit none (type, external)
 
     type(tap_type) :: tap
+    type(sample_type) :: sample
     real(dp), allocatable :: x(:)
 
     allocate (x(0))
@@ -37,6 +39,12 @@ program test_zeros
     call tap%ok(size(x) == 0, 'nothing but noise has none')
     call tap%near(zero_between(product_type([1000.25_dp]), 0.0_dp, 2000.0_dp), 1000.25_dp, 0.0_dp, &
         'a bracket is closed to the last bit')
+    sample = samples_of(product_type([0.1_dp, 0.5_dp, 0.9_dp]), 0.0_dp, 1.0_dp)
+    x = zeros_among(product_type([0.1_dp, 0.5_dp, 0.9_dp]), sample, 0.0_dp)
+    call tap%ok(size(x) == 3, 'samples that are known give the same zeros')
+    sample%y = 1.0_dp + 1.0e-15_dp*sin(1.0e3_dp*sample%x)
+    x = zeros_among(product_type([0.43_dp, 0.4301_dp]), sample, 0.0_dp)
+    call tap%ok(size(x) == 0, 'between samples that round-off alone tells apart no pair is sought')
     x = sample_points(2.0_dp, 4.0_dp)
     call tap%ok(all(x > 2.0_dp .and. x < 4.0_dp), 'samples are inside')
     call tap%ok(all(x(2:) > x(:size(x) - 1)), 'and in order')
