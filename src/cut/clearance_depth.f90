@@ -8,11 +8,12 @@
 !> the skin is looked for on its surface.
 module cut_clearance_depth
     use base_kinds, only: dp
+    use base_order, only: order_of
     use base_tolerances, only: decimal_noise, ulp
     use body_body, only: body_type
     use cut_clearance_inside, only: test_inside
     use cut_clearance_map, only: map_type
-    use cut_clearance_nearest, only: box_type, foot_type, nearest_to
+    use cut_clearance_nearest, only: box_type, foot_type, nearest_to, reach_of
     implicit none (type, external)
     private
 
@@ -30,6 +31,8 @@ module cut_clearance_depth
     integer, parameter :: box_parts = 8, box_starts = 4
     !> Halvings of the step on the way to the point of a box that is deepest beyond the skin.
     integer, parameter :: most_halvings = 44
+    !> Part of its size by which a distance may be off.
+    real(dp), parameter :: doubt = 1.0e-9_dp
 
 contains
 
@@ -93,8 +96,8 @@ contains
         type(body_type), intent(in) :: body     !! finished
         type(map_type), intent(in) :: map       !! its samples
         type(box_type), intent(in) :: box       !! a box
-        type(depth_type) :: tries((box_parts + 1)**3), try
-        real(dp) :: part(3)
+        type(depth_type) :: tries(box_starts), try
+        real(dp) :: points(3, (box_parts + 1)**3)
         integer :: i, j, k, count
 
         count = 0
@@ -102,21 +105,77 @@ contains
             do j = 0, box_parts
                 do k = 0, box_parts
                     if (all([i, j, k] > 0 .and. [i, j, k] < box_parts)) cycle
-                    part = real([i, j, k], dp)/real(box_parts, dp)
                     count = count + 1
-                    tries(count) = depth_at(body, map, mixed(box, part))
+                    points(:, count) = mixed(box, real([i, j, k], dp)/real(box_parts, dp))
                 end do
             end do
         end do
+        tries = deepest_of(body, map, points(:, :count))
         found%depth = huge(1.0_dp)
         do i = 1, box_starts
-            k = minloc(tries(:count)%depth, dim=1)
-            try = tries(k)
-            tries(k)%depth = huge(1.0_dp)
+            try = tries(i)
             call follow(body, map, box, try)
             if (try%depth < found%depth) found = try
         end do
     end function deepest
+
+    !> The deepest of some points beyond the skin, deepest first; of equal ones the first. Those
+    !> that can't be among them are not measured.
+    pure recursive function deepest_of(body, map, points) result(best)
+        type(body_type), intent(in) :: body     !! finished
+        type(map_type), intent(in) :: map       !! its samples
+        real(dp), intent(in) :: points(:, :)    !! STA, BL, WL, deck units, shape (3, number)
+        type(depth_type) :: best(box_starts)
+        type(depth_type) :: tries(size(points, 2))
+        real(dp) :: least(size(points, 2)), limit
+        integer :: order(size(points, 2)), i, k
+
+        do i = 1, size(points, 2)
+            least(i) = -farthest(body, map, points(:, i))
+        end do
+        order = order_of(least)
+        tries%depth = huge(1.0_dp)
+        limit = huge(1.0_dp)
+        do i = 1, size(order)
+            if (least(order(i)) > limit) exit
+            if (limit < 0.0_dp .and. is_within(body, points(:, order(i)))) cycle
+            tries(order(i)) = depth_at(body, map, points(:, order(i)))
+            limit = least_but(tries%depth, box_starts)
+        end do
+        do i = 1, box_starts
+            k = minloc(tries%depth, dim=1)
+            best(i) = tries(k)
+            tries(k)%depth = huge(1.0_dp)
+        end do
+    end function deepest_of
+
+    !> The number of a list of which so many are least, itself counted.
+    pure real(dp) function least_but(numbers, rank) result(number)
+        real(dp), intent(in) :: numbers(:)  !! at least so many
+        integer, intent(in) :: rank         !! how many
+        integer :: order(size(numbers))
+        order = order_of(numbers)
+        number = numbers(order(rank))
+    end function least_but
+
+    !> How far a point can be from the skin at most.
+    pure real(dp) function farthest(body, map, point)
+        type(body_type), intent(in) :: body     !! finished
+        type(map_type), intent(in) :: map       !! its samples
+        real(dp), intent(in) :: point(3)        !! STA, BL, WL, deck units
+        farthest = reach_of(body, map, point)
+        if (farthest < huge(1.0_dp)*doubt) &
+            farthest = farthest + doubt*(farthest + maxval(abs(point)))
+    end function farthest
+
+    !> True where the section of a point's station closes and has it inside.
+    pure logical function is_within(body, point)
+        type(body_type), intent(in) :: body     !! finished
+        real(dp), intent(in) :: point(3)        !! STA, BL, WL, deck units
+        logical :: is_known
+        call test_inside(body, point, is_known, is_within)
+        is_within = is_known .and. is_within
+    end function is_within
 
     !> The point of a box at parts of its edges; exactly a corner at 0 and 1.
     pure function mixed(box, part) result(point)
@@ -157,6 +216,8 @@ contains
                         way(axis) = real(side, dp)*step(axis)
                         way = min(max(try%foot%touching + way, box%lower), box%upper)
                         if (norm2(way - try%foot%touching) <= 0.0_dp) cycle
+                        if (-farthest(body, map, way) > try%depth) cycle
+                        if (try%depth < 0.0_dp .and. is_within(body, way)) cycle
                         next = depth_at(body, map, way)
                         if (.not. next%depth < try%depth) cycle
                         try = next

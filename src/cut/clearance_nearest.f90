@@ -16,7 +16,7 @@ module cut_clearance_nearest
     implicit none (type, external)
     private
 
-    public :: box_type, foot_type, nearest_to
+    public :: box_type, foot_type, nearest_to, reach_of
 
     !> What the way is reckoned from.
     type :: box_type
@@ -82,6 +82,29 @@ contains
         foot = feet(minloc(feet%distance, dim=1))
         call face(feet, foot)
     end subroutine nearest_to
+
+    !> The distance of the nearest sample of the skin from a point, or from its image where it is to
+    !> port of a symmetric body: the skin is not farther. Huge where there is no skin.
+    pure real(dp) function reach_of(body, map, point) result(reach)
+        type(body_type), intent(in) :: body     !! finished
+        type(map_type), intent(in) :: map       !! its samples
+        real(dp), intent(in) :: point(3)        !! STA, BL, WL, deck units
+        real(dp) :: square, seen(3)
+        integer :: i, k, row
+
+        square = huge(1.0_dp)
+        seen = point
+        if (body%is_symmetric) seen(2) = abs(seen(2))
+        do i = 1, size(map%sheets)
+            do row = 0, row_parts
+                if (.not. map%sheets(i)%is_there(row)) cycle
+                do k = 0, column_parts
+                    square = min(square, sum((map%sheets(i)%at(:, k, row) - seen)**2))
+                end do
+            end do
+        end do
+        reach = sqrt(square)
+    end function reach_of
 
     !> How far the samples of a sheet are from a box.
     pure subroutine measure_samples(sheet, box, away)

@@ -64,6 +64,10 @@ program test_clearance_depth
     call check_point([2.0_dp, 0.5_dp, -50.0_dp], 0.8_dp*(1.5_dp - 0.5_dp), 'a point in a cone')
     call check_point([-1.0_dp, 0.0_dp, -50.0_dp], -1.0_dp, 'a point before the apex of a cone')
     call check_point([0.0_dp, 0.0_dp, -50.0_dp], 0.0_dp, 'the apex of a cone')
+    call check_box([-3.0_dp, -1.0_dp, -51.0_dp], [-1.0_dp, 1.0_dp, -49.0_dp], &
+        -norm2([3.0_dp, 1.0_dp, 1.0_dp]), 'a box before a cone, nearest to its apex')
+    call check_box([-1.0_dp, -0.5_dp, -50.5_dp], [0.5_dp, 0.5_dp, -49.5_dp], &
+        -norm2([1.0_dp, 0.5_dp, 0.5_dp]), 'a box about the apex of a cone')
     call check_point([2.0_dp, -2.0_dp, -50.0_dp], -0.4_dp, 'a point beside a cone, to port')
     body = paraboloid(2.0_dp, 9.0_dp)
     map = new_map(body)

@@ -3,7 +3,7 @@ program test_clearance_nearest
     use base_kinds, only: dp
     use body_body, only: body_type
     use cut_clearance_map, only: map_type, new_map
-    use cut_clearance_nearest, only: box_type, foot_type, nearest_to
+    use cut_clearance_nearest, only: box_type, foot_type, nearest_to, reach_of
     use support_random, only: random_type
     use support_solids, only: cone, conic_type, cylinder, ellipsoid, solid
     use support_tap, only: tap_type
@@ -15,7 +15,7 @@ program test_clearance_nearest
     type(map_type) :: map
     type(foot_type) :: foot
     type(random_type) :: random
-    real(dp) :: p(3), worst, astray
+    real(dp) :: p(3), worst, astray, short, long
     integer :: i
 
     ! Skin of the starboard half only: BL of the points is positive.
@@ -23,15 +23,21 @@ program test_clearance_nearest
     map = new_map(body)
     worst = 0.0_dp
     astray = 0.0_dp
+    short = huge(1.0_dp)
+    long = 0.0_dp
     do i = 1, 300
         p = [random%between(-6.0_dp, 6.0_dp), random%between(0.0_dp, 4.0_dp), &
             random%between(-3.0_dp, 3.0_dp)]
         call nearest_to(body, map, box_type(p, p), foot)
         worst = max(worst, abs(norm2(foot%at/[5.0_dp, 3.0_dp, 2.0_dp]) - 1.0_dp))
         astray = max(astray, norm2(cross(p - foot%at, foot%normal)))
+        short = min(short, reach_of(body, map, p) - foot%distance)
+        long = max(long, reach_of(body, map, p*[1.0_dp, -1.0_dp, 1.0_dp]) - foot%distance)
     end do
     call tap%near(worst, 0.0_dp, 1.0e-14_dp, 'nearest points are on the ellipsoid')
     call tap%near(astray, 0.0_dp, 1.0e-7_dp, 'the way to each is along the normal')
+    call tap%ok(short >= 0.0_dp, 'none is farther than the nearest sample')
+    call tap%ok(long < maxval(map%sheets%spacing), 'nor much nearer, to port as to starboard')
     call look([1.0_dp, 0.5_dp, -9.0_dp], [1.5_dp, 0.75_dp, -1.0_dp])
     call tap%ok(foot%exists .and. foot%distance <= 0.0_dp, 'a box that the skin passes is at 0')
 
