@@ -103,6 +103,16 @@ loft run --format csv "$work/two.crd"
 cut -d, -f2- "$work/out" | sed 1d > "$work/b"; cat "$work/a" "$work/a" | cmp -s - "$work/b"
 ok $? 'each with its own cuts'
 
+# --- many cuts, by one thread and by three
+sed 's/^STATION .*/STATION,0.,50.,.025,/' $nose > "$work/many.crd"
+for form in listing csv; do
+    OMP_NUM_THREADS=1 "$LOFT" run --format $form "$work/many.crd" > "$work/a" 2> "$work/err"
+    OMP_NUM_THREADS=3 "$LOFT" run --format $form "$work/many.crd" > "$work/b" 2>> "$work/err"
+    [ -s "$work/a" ] && cmp -s "$work/a" "$work/b"
+    ok $? "2001 stations give the same bytes by three threads as by one, $form" "$(cat "$work/err")"
+done
+[ "$(cut -d, -f1 "$work/b" | tail -n 1)" = 2004 ]; ok $? 'all of them, and the other cuts'
+
 # --- both forms of a deck
 cmp -s cards/fuselage.crd cards/fuselage-free.crd
 [ $? = 1 ]; ok $? 'the fuselage stands in columns and between commas'

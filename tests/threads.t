@@ -11,8 +11,8 @@ if ! command -v nm > /dev/null || [ ! -d "$objects/src" ]; then
     exit 0
 fi
 for object in "$objects"/src/geom/*.o "$objects"/src/body/*.o "$objects"/src/base/text.o \
-    "$objects"/src/base/length.o "$objects"/src/cut/measure*.o "$objects"/src/cut/clearance*.o \
-    "$objects"/src/cut/offsets.o "$objects"/src/deck/conic_card.o "$objects"/src/deck/number.o \
+    "$objects"/src/base/length.o "$objects"/src/base/list.o "$objects"/src/base/order.o \
+    "$objects"/src/cut/*.o "$objects"/src/deck/conic_card.o "$objects"/src/deck/number.o \
     "$objects"/src/period/*.o "$objects"/src/report/card_block.o "$objects"/src/report/csv.o \
     "$objects"/src/report/row_text.o "$objects"/src/app/run_card.o "$objects"/src/base/digits.o \
     "$objects"/src/base/shortest.o "$objects"/src/base/fault.o; do
@@ -22,7 +22,7 @@ for object in "$objects"/src/geom/*.o "$objects"/src/body/*.o "$objects"/src/bas
         '$2 ~ /^[bBdDC]$/ && $3 !~ /^_?_(def_init|vtab|copy)|__def_init|__vtab|^options\.|jumptable/ { print object, $3 }'
 done > /tmp/loft-threads.$$
 [ ! -s /tmp/loft-threads.$$ ]
-ok $? 'geometry, measures and cards keep nothing between calls' "$(cat /tmp/loft-threads.$$)"
+ok $? 'geometry, cuts, measures and cards keep nothing between calls' "$(cat /tmp/loft-threads.$$)"
 rm -f /tmp/loft-threads.$$
 
 # Vectors of sines and the like are those of the C library, whose last digits depend on the processor.

@@ -1,7 +1,7 @@
 !> Everything a body deck asks of one body, computed once: printed as listing or CSV, or drawn.
 module api_computed_body
     use api_computed_arcs, only: arcs_of_cut, arcs_of_outline
-    use api_requests, only: requests_of
+    use api_computed_cuts, only: how_type, made_type, make_cuts, say
     use api_ring_faults, only: warn_of_ring
     use api_traces, only: traces_of_sides
     use base_decimal, only: to_real
@@ -22,22 +22,18 @@ module api_computed_body
     use cut_clearance, only: check_clearance, clearance_type
     use cut_clearance_map, only: map_type, new_map
     use cut_duct, only: duct_measure_type, measure_duct
-    use cut_make, only: make_cut
     use cut_measure_body, only: body_measure_type, measure_body
     use cut_offsets, only: half_breadths, heights, offset_table_type
-    use cut_outline, only: cut_at, cut_type, has_panels
-    use cut_panel, only: add_panels
+    use cut_outline, only: cut_at, cut_type
     use cut_plane, only: cut_kind
-    use cut_request, only: request_type
-    use deck_body_card, only: blame, warn
-    use deck_job, only: asked_body_type => body_type, asked_cut_type => cut_type, job_type, &
-        name_length
+    use deck_body_card, only: blame
+    use deck_job, only: asked_body_type => body_type, job_type, name_length
     use report_arc_listing, only: arc_table_type
     use sweep_component, only: component_of
     implicit none (type, external)
     private
 
-    public :: computed_body_type, compute_body, judge_body, cut_body
+    public :: computed_body_type, compute_body, judge_body, cut_body, how_type
 
     !> The circular arcs of a cut.
     type :: cut_arcs_type
@@ -68,15 +64,16 @@ module api_computed_body
 contains
 
     !> Computes all that is asked of a body: what `judge_body` does, offset tables and measures.
-    subroutine compute_body(job, number, computed, faults)
+    subroutine compute_body(job, number, computed, faults, how)
         type(job_type), intent(in) :: job                       !! what the deck asks for
         integer, intent(in) :: number                           !! which of its bodies
         type(computed_body_type), intent(out) :: computed       !! what came out
         type(fault_list_type), intent(inout) :: faults          !! what is wrong is added
+        type(how_type), intent(in), optional :: how             !! facts, threads; else all, one
         real(dp), allocatable :: stations(:)
         integer :: i
 
-        call judge_body(job, number, computed, faults)
+        call judge_body(job, number, computed, faults, how)
         stations = cut_at(computed%cuts, cut_kind%station, 1)
         computed%heights = heights(computed%body, cut_at(computed%cuts, cut_kind%buttock, 2), &
             stations)
@@ -91,38 +88,44 @@ contains
 
     !> Computes all of a body that a fault can be found in: lines, sections and how they meet, cuts,
     !> clearances. Offset tables and measures are left out.
-    subroutine judge_body(job, number, computed, faults)
+    subroutine judge_body(job, number, computed, faults, how)
         type(job_type), intent(in) :: job                       !! what the deck asks for
         integer, intent(in) :: number                           !! which of its bodies
         type(computed_body_type), intent(out) :: computed       !! what came out
         type(fault_list_type), intent(inout) :: faults          !! what is wrong is added
+        type(how_type), intent(in), optional :: how             !! facts, threads; else all, one
 
-        call cut_body(job, number, computed, faults)
+        call cut_body(job, number, computed, faults, how)
         call add_arcs(job%body(number), computed, faults)
         call check_components(job%body(number), computed, faults)
     end subroutine judge_body
 
     !> Builds a body, looks how its sections meet, and cuts it.
-    subroutine cut_body(job, number, computed, faults)
+    subroutine cut_body(job, number, computed, faults, how)
         type(job_type), intent(in) :: job                       !! what the deck asks for
         integer, intent(in) :: number                           !! which of its bodies
         type(computed_body_type), intent(out) :: computed       !! body, joints, ring and cuts
         type(fault_list_type), intent(inout) :: faults          !! what is wrong is added
+        type(how_type), intent(in), optional :: how             !! facts, threads; else all, one
 
-        call cuts_of_body(job, number, computed, faults)
+        call cuts_of_body(job, number, computed, faults, how)
         computed%ring = ring_of(computed%body)
         call warn_of_ring(job%body(number), computed%body, computed%ring, faults)
     end subroutine cut_body
 
     !> Builds a body and cuts it; no measures, no tables. A body without sections is not cut: why it
     !> has none has been said.
-    subroutine cuts_of_body(job, number, computed, faults)
+    subroutine cuts_of_body(job, number, computed, faults, how)
         type(job_type), intent(in) :: job                       !! what the deck asks for
         integer, intent(in) :: number                           !! which of its bodies
         type(computed_body_type), intent(out) :: computed       !! body, joints and cuts
         type(fault_list_type), intent(inout) :: faults          !! what is wrong is added
-        integer :: i, k
+        type(how_type), intent(in), optional :: how             !! facts, threads; else all, one
+        type(how_type) :: asked
+        type(made_type) :: made
+        integer :: i
 
+        if (present(how)) asked = how
         call build_body(job, number, computed%body, computed%joints, faults)
         call build_outlines(job%body(number), computed%outlines, faults)
         allocate (computed%cuts(0), computed%cards(0), computed%clearances(0))
@@ -136,42 +139,10 @@ contains
             computed%panels%name]
         call report_gaps(job%body(number), computed%body, faults)
         if (size(computed%sections) == 0) return
-        do i = 1, size(job%body(number)%cut)
-            call add_cuts(job%body(number)%cut(i), computed, faults)
-            computed%cards = [computed%cards, [(i, k=size(computed%cards) + 1, &
-                size(computed%cuts))]]
-        end do
+        call make_cuts(computed%body, computed%panels, job%body(number)%cut, asked, made, faults)
+        call move_alloc(made%cuts, computed%cuts)
+        call move_alloc(made%cards, computed%cards)
     end subroutine cuts_of_body
-
-    !> Makes the cuts of one card. What is wrong with several of them in the same way is said once.
-    subroutine add_cuts(asked, computed, faults)
-        type(asked_cut_type), intent(in) :: asked               !! the card
-        type(computed_body_type), intent(inout) :: computed     !! gets the cuts
-        type(fault_list_type), intent(inout) :: faults          !! what is wrong is added
-        type(request_type), allocatable :: requests(:)
-        type(error_type), allocatable :: error
-        type(cut_type) :: made
-        character(:), allocatable :: said
-        integer :: i, k
-
-        said = ''
-        call requests_of(asked, requests, faults)
-        do i = 1, size(requests)
-            call make_cut(computed%body, requests(i), made, error)
-            call add_panels(computed%panels, computed%body, requests(i), made, error)
-            if (allocated(error)) then
-                call say(asked, error%message, .true., said, faults)
-                cycle
-            end if
-            do k = 1, size(made%notes)
-                call say(asked, made%notes(k)%message, made%notes(k)%is_error, said, faults)
-            end do
-            if (max(requests(i)%skin, requests(i)%arcs) > 0.0_dp .and. has_panels(made) &
-                .and. made%patches > 0) call say(asked, 'SKIN and ARCS are of sections; '// &
-                'outlines on patches are their outside, as curves', .false., said, faults)
-            computed%cuts = [computed%cuts, made]
-        end do
-    end subroutine add_cuts
 
     !> Makes the arcs of the cuts and outlines that ask for them. What is wrong is said on the card.
     subroutine add_arcs(asked, computed, faults)
@@ -200,23 +171,6 @@ contains
             call blame(asked%outline(k)%card, 2, error%message, faults)
         end do
     end subroutine add_arcs
-
-    !> Says on the card of a cut what has not been said of it.
-    subroutine say(asked, message, is_error, said, faults)
-        type(asked_cut_type), intent(in) :: asked           !! the card
-        character(*), intent(in) :: message                 !! what is wrong
-        logical, intent(in) :: is_error                     !! not a warning
-        character(:), allocatable, intent(inout) :: said    !! all so far, each with a line end
-        type(fault_list_type), intent(inout) :: faults      !! gets it
-
-        if (index(said, message//new_line('a')) > 0) return
-        said = said//message//new_line('a')
-        if (is_error) then
-            call blame(asked%card, 1, message, faults)
-        else
-            call warn(asked%card, 1, message, faults)
-        end if
-    end subroutine say
 
     !> Looks how clear the components are; one that is nearer than asked is an error on its card.
     subroutine check_components(asked, computed, faults)

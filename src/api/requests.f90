@@ -27,18 +27,18 @@ contains
         real(dp), allocatable :: stations(:)
         integer :: i
 
-        allocate (requests(0))
         call common_part(card, request, error)
         if (allocated(error)) then
+            allocate (requests(0))
             call blame(card%card, 2, error%message, faults)
             return
         end if
         select case (card%kind)
         case (cut%station)
             call stations_of(card, stations, faults)
+            allocate (requests(size(stations)), source=request)
             do i = 1, size(stations)
-                request%plane = station_plane(stations(i))
-                requests = [requests, request]
+                requests(i)%plane = station_plane(stations(i))
             end do
             return
         case (cut%buttock)
@@ -52,9 +52,10 @@ contains
                 request%plane, error)
         end select
         if (allocated(error)) then
+            allocate (requests(0))
             call blame(card%card, 2, error%message, faults)
         else
-            requests = [request]
+            allocate (requests(1), source=request)
         end if
     end subroutine requests_of
 

@@ -1,6 +1,6 @@
 !> `loft check`: reads decks, prints every diagnostic, and nothing else.
 module app_check
-    use api_computed_body, only: computed_body_type, judge_body
+    use api_computed_body, only: computed_body_type, how_type, judge_body
     use api_deck, only: judge_conic
     use app_input, only: close_input, deck_input_type, open_input
     use app_options, only: argument_type
@@ -110,7 +110,7 @@ contains
         call read_job(input%source, input%opening%heading, job, faults, error)
         if (allocated(error)) return
         do i = 1, size(job%body)
-            call judge_body(job, i, computed, faults)
+            call judge_body(job, i, computed, faults, how_type(is_shared=.true.))
         end do
     end subroutine check_body
 

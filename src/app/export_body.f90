@@ -1,7 +1,7 @@
 !> A body deck made ready for export: its bodies built, the cuts that are wanted made and drawn as
 !> curves.
 module app_export_body
-    use api_computed_body, only: computed_body_type, cut_body
+    use api_computed_body, only: computed_body_type, cut_body, how_type
     use app_export_choice, only: choose_cuts
     use app_export_parts, only: begin_parts, parts_type, station_type
     use app_export_request, only: curve_tolerance, request_type
@@ -17,7 +17,8 @@ module app_export_body
     use body_panel, only: mirrored_panel, panel_type
     use cut_outline, only: cut_type
     use cut_plane, only: cut_kind
-    use deck_job, only: job_type
+    use cut_request, only: cut_fact
+    use deck_job, only: job_type, name_length
     use deck_job_reader, only: read_job
     use export_arcs, only: part_for_curves
     use export_drawing, only: drawing_type, shape_type
@@ -59,7 +60,7 @@ contains
         allocate (computed(size(job%body)))
         do i = 1, size(computed)
             call tell_progress('building body '//to_text(i)//' of '//to_text(size(computed)))
-            call cut_body(job, i, computed(i), faults)
+            call cut_body(job, i, computed(i), faults, how_type(cut_fact%slope, .true.))
             call add_panels(computed(i), parts)
             if (size(computed(i)%body%sections) == 0) cycle
             body = computed(i)%body
@@ -96,14 +97,10 @@ contains
     pure subroutine add_stations(cuts, parts)
         type(cut_type), intent(in) :: cuts(:)       !! of the body
         type(parts_type), intent(inout) :: parts    !! gets them
-        type(station_type) :: station
         integer :: k
 
-        do k = 1, size(cuts)
-            if (cuts(k)%plane%kind /= cut_kind%station) cycle
-            station = station_type(size(parts%bodies), cuts(k)%plane%through(1))
-            parts%stations = [parts%stations, station]
-        end do
+        parts%stations = [parts%stations, pack([(station_type(size(parts%bodies), &
+            cuts(k)%plane%through(1)), k=1, size(cuts))], cuts%plane%kind == cut_kind%station)]
     end subroutine add_stations
 
     !> Draws the cuts and faired outlines that are wanted and, for files that have them, the control
@@ -117,40 +114,37 @@ contains
         logical, intent(in) :: has_lines                    !! control lines too
         type(parts_type), intent(inout) :: parts            !! gets the curves
         type(error_type), allocatable, intent(out) :: error !! see above
-        type(cut_type), allocatable :: cuts(:)
         type(drawing_type) :: named
-        type(shape_type) :: shape
+        character(name_length), allocatable :: cards(:)
         logical, allocatable :: is_chosen(:)
-        integer :: i, k, number
+        integer :: i, k, number, drawn
 
-        allocate (cuts(0))
-        do i = 1, size(computed)
-            cuts = [cuts, computed(i)%cuts]
-            do k = 1, size(computed(i)%outlines)
-                cuts = [cuts, measured_cut(computed(i)%outlines(k))]
-            end do
-        end do
-        call name_cuts(cuts, named)
-        call choose_cuts(request%cuts, named%cuts, cuts%name, is_chosen, error)
+        call name_cuts(computed, named, cards)
+        call choose_cuts(request%cuts, named%cuts, cards, is_chosen, error)
         number = 0
+        drawn = 0
         parts%drawing%tolerance = request%tolerance
+        deallocate (parts%drawing%cuts)
+        allocate (parts%drawing%cuts(count(is_chosen)))
         do i = 1, size(computed)
             do k = 1, size(computed(i)%cuts)
                 number = number + 1
                 if (allocated(error)) return
                 if (.not. is_chosen(number)) cycle
-                call tell_progress('drawing cut '//to_text(number)//' of '//to_text(size(cuts)))
-                call add_cut(computed(i)%body, cuts(number), named%cuts(number), request, parts, &
-                    error)
+                call tell_progress('drawing cut '//to_text(number)//' of '// &
+                    to_text(size(is_chosen)))
+                drawn = drawn + 1
+                call take_cut(computed(i)%body, computed(i)%cuts(k), named%cuts(number), request, &
+                    parts%drawing%cuts(drawn), error)
             end do
             do k = 1, size(computed(i)%outlines)
                 number = number + 1
                 if (allocated(error)) return
                 if (.not. is_chosen(number)) cycle
-                shape = outline_shape(computed(i)%outlines(k))
-                shape%name = named%cuts(number)%name
-                shape%number = number
-                parts%drawing%cuts = [parts%drawing%cuts, shape]
+                drawn = drawn + 1
+                parts%drawing%cuts(drawn) = outline_shape(computed(i)%outlines(k))
+                parts%drawing%cuts(drawn)%name = named%cuts(number)%name
+                parts%drawing%cuts(drawn)%number = number
             end do
             if (has_lines .and. .not. allocated(error)) &
                 call add_lines(computed(i)%body, request, parts, error)
@@ -158,31 +152,46 @@ contains
         if (.not. allocated(error)) call make_unique(parts%drawing)
     end subroutine draw_curves
 
-    !> Gives the cuts of a deck their names and numbers; both stay where only some are exported.
-    pure subroutine name_cuts(cuts, named)
-        type(cut_type), intent(in) :: cuts(:)       !! in the order of the deck
-        type(drawing_type), intent(out) :: named    !! a shape for each cut, with nothing else
-        integer :: k
+    !> Gives the cuts and faired outlines of a deck their names and numbers; both stay where only
+    !> some are exported.
+    pure subroutine name_cuts(computed, named, cards)
+        type(computed_body_type), intent(in) :: computed(:)             !! the bodies of a deck
+        type(drawing_type), intent(out) :: named                        !! a shape for each, with
+                                                                        !! nothing else
+        character(name_length), allocatable, intent(out) :: cards(:)    !! names on the cards
+        type(cut_type) :: cut
+        integer :: i, k, number
 
-        allocate (named%cuts(size(cuts)), named%lines(0))
-        do k = 1, size(cuts)
-            named%cuts(k)%name = cut_name(cuts(k))
-            named%cuts(k)%number = k
+        number = sum([(size(computed(i)%cuts) + size(computed(i)%outlines), i=1, size(computed))])
+        allocate (named%cuts(number), named%lines(0), cards(number))
+        number = 0
+        do i = 1, size(computed)
+            do k = 1, size(computed(i)%cuts)
+                number = number + 1
+                named%cuts(number)%name = cut_name(computed(i)%cuts(k))
+                cards(number) = computed(i)%cuts(k)%name
+            end do
+            do k = 1, size(computed(i)%outlines)
+                number = number + 1
+                cut = measured_cut(computed(i)%outlines(k))
+                named%cuts(number)%name = cut_name(cut)
+                cards(number) = cut%name
+            end do
         end do
+        named%cuts%number = [(k, k=1, number)]
         call make_unique(named)
     end subroutine name_cuts
 
     !> Draws a cut.
     !>
     !> Fails where a curve of it can't be drawn.
-    subroutine add_cut(body, cut, named, request, parts, error)
+    subroutine take_cut(body, cut, named, request, shape, error)
         type(body_type), intent(in) :: body                 !! finished
         type(cut_type), intent(in) :: cut                   !! of it
         type(shape_type), intent(in) :: named               !! its name and number
         type(request_type), intent(in) :: request           !! tolerance, way between bevel marks
-        type(parts_type), intent(inout) :: parts            !! gets the shape
+        type(shape_type), intent(out) :: shape              !! the cut as curves
         type(error_type), allocatable, intent(out) :: error !! see above
-        type(shape_type) :: shape
 
         call draw_cut(body, cut, cut_tolerance(cut, request), request%bevel_step, shape, error)
         if (allocated(error)) then
@@ -191,8 +200,7 @@ contains
         end if
         shape%name = named%name
         shape%number = named%number
-        parts%drawing%cuts = [parts%drawing%cuts, shape]
-    end subroutine add_cut
+    end subroutine take_cut
 
     !> The tolerance of the fitted curves of a cut, deck units: less where arcs shall follow them.
     pure real(dp) function cut_tolerance(cut, request) result(tolerance)

@@ -280,13 +280,10 @@ contains
         type(parts_type), intent(in) :: parts       !! the stations of the deck
         integer, intent(in) :: number               !! which body
         real(dp), allocatable :: stations(:)
-        integer :: i
 
         allocate (stations(0))
         if (request%has_tolerance) return
-        do i = 1, size(parts%stations)
-            if (parts%stations(i)%body == number) stations = [stations, parts%stations(i)%sta]
-        end do
+        stations = pack(parts%stations%sta, parts%stations%body == number)
     end function stations_for
 
     !> The settings with the tolerance in units of the deck.

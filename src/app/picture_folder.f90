@@ -24,7 +24,8 @@ module app_picture_folder
     type :: folder_type
         character(:), allocatable :: path       !! where it is
         character(:), allocatable :: format     !! svg, pdf, png or txt
-        type(name_type), allocatable :: picture(:) !! the pictures, in the order they are drawn
+        integer :: count = 0                    !! pictures
+        type(name_type), allocatable :: picture(:) !! `picture(1:count)`, in order of drawing
     end type folder_type
 
 contains
@@ -51,7 +52,18 @@ contains
     subroutine add_picture(folder, name)
         type(folder_type), intent(inout) :: folder  !! gets it
         character(*), intent(in) :: name            !! a plain word
-        folder%picture = [folder%picture, name_type(name)]
+        type(name_type), allocatable :: grown(:)
+        integer :: i
+
+        if (folder%count == size(folder%picture)) then
+            allocate (grown(2*folder%count + 1))
+            do i = 1, folder%count
+                call move_alloc(folder%picture(i)%text, grown(i)%text)
+            end do
+            call move_alloc(grown, folder%picture)
+        end if
+        folder%count = folder%count + 1
+        folder%picture(folder%count)%text = name
     end subroutine add_picture
 
     !> Copies a text file from a folder to another.
@@ -113,7 +125,7 @@ contains
         type(output_type) :: answer
         integer :: i
 
-        if (size(folder%picture) == 0) return
+        if (folder%count == 0) return
         if (.not. has_gnuplot()) then
             call fail(error, cause%file_trouble, 'no gnuplot is found: data and scripts are '// &
                 'written, no picture is drawn; install the package gnuplot-nox (or gnuplot), '// &
@@ -121,7 +133,7 @@ contains
             return
         end if
         call answer%attach(standard_output)
-        do i = 1, size(folder%picture)
+        do i = 1, folder%count
             associate (name => folder%picture(i)%text)
                 call draw(folder%path, name, folder%format, trouble)
                 if (.not. allocated(trouble)) call show(folder, name, answer, trouble)
@@ -156,7 +168,7 @@ contains
         character(:), allocatable :: names
         integer :: i
         names = ''
-        do i = 1, size(folder%picture)
+        do i = 1, folder%count
             names = names//' '//folder%picture(i)%text//'.gp'
         end do
     end function scripts_of

@@ -6,10 +6,10 @@ module app_plan_cuts
     use body_body, only: body_type
     use body_panel, only: panel_type
     use cut_make, only: make_cut
-    use cut_outline, only: cut_type
+    use cut_outline, only: cut_at, cut_type, keep_cuts
     use cut_panel, only: add_panels
     use cut_plane, only: buttock_plane, cut_kind, plane_type, station_plane, waterline_plane
-    use cut_request, only: cut_rule, request_type
+    use cut_request, only: cut_fact, cut_rule, request_type
     use export_body_curves, only: all_outlines
     use export_body_lines, only: find_corners
     use export_body_sheet, only: round_step, round_steps
@@ -39,38 +39,58 @@ contains
         type(cut_type), intent(in) :: asked(:)      !! the cuts of the deck, of any body
         type(panel_set_type), intent(in), optional :: sets(:) !! the panels of each body
         type(cut_type), allocatable :: cuts(:)
-        type(cut_type) :: made
+        type(plane_type), allocatable :: planes(:)
         type(error_type), allocatable :: error
         type(request_type) :: request
-        real(dp), allocatable :: ordinates(:)
+        logical, allocatable :: is_drawn(:)
         real(dp) :: low(3), high(3)
-        integer :: kind, i, k
+        integer :: i, k, number
 
-        allocate (cuts(0))
+        allocate (cuts(0), planes(0))
         call find_corners(bodies, cuts, low, high)
-        do kind = cut_kind%station, cut_kind%waterline
-            ordinates = ordinates_of(asked, kind, low(kind), high(kind))
-            do i = 1, size(ordinates)
-                request%plane = plane_at(kind, ordinates(i))
-                do k = 1, size(bodies)
-                    call make_cut(bodies(k), closely(request, maxval(high - low)), made, error)
-                    if (present(sets)) call add_panels(sets(k)%panel, bodies(k), &
-                        closely(request, maxval(high - low)), made, error)
-                    if (allocated(error)) cycle
-                    if (size(all_outlines(made)) > 0) cuts = [cuts, made]
-                end do
+        planes = planes_of(asked, low, high)
+        deallocate (cuts)
+        allocate (cuts(size(planes)*size(bodies)), is_drawn(size(planes)*size(bodies)))
+        number = 0
+        do i = 1, size(planes)
+            request%plane = planes(i)
+            do k = 1, size(bodies)
+                number = number + 1
+                call make_cut(bodies(k), closely(request, maxval(high - low)), cuts(number), error)
+                if (present(sets)) call add_panels(sets(k)%panel, bodies(k), &
+                    closely(request, maxval(high - low)), cuts(number), error)
+                is_drawn(number) = .false.
+                if (.not. allocated(error)) is_drawn(number) = size(all_outlines(cuts(number))) > 0
             end do
         end do
+        call keep_cuts(is_drawn, cuts)
     end function plan_cuts
 
-    !> The same cut with points as close as the eye can tell.
+    !> The same cut with points as close as the eye can tell, and no more of them than is drawn.
     pure type(request_type) function closely(request, size_of_body) result(close)
         type(request_type), intent(in) :: request   !! any
         real(dp), intent(in) :: size_of_body        !! deck units
         close = request
         close%rule = cut_rule%chord
         close%step = eye*size_of_body
+        close%facts = merge(cut_fact%bevel, cut_fact%slope, request%skin > 0.0_dp)
     end function closely
+
+    !> Where to cut: kind by kind.
+    pure function planes_of(asked, low, high) result(planes)
+        type(cut_type), intent(in) :: asked(:)  !! the cuts of the deck
+        real(dp), intent(in) :: low(3)          !! least ordinates of the bodies, deck units
+        real(dp), intent(in) :: high(3)         !! greatest, deck units
+        type(plane_type), allocatable :: planes(:)
+        real(dp), allocatable :: ordinates(:)
+        integer :: kind, i
+
+        allocate (planes(0), ordinates(0))
+        do kind = cut_kind%station, cut_kind%waterline
+            ordinates = ordinates_of(asked, kind, low(kind), high(kind))
+            planes = [planes, (plane_at(kind, ordinates(i)), i=1, size(ordinates))]
+        end do
+    end function planes_of
 
     !> Where to cut for a kind: as asked, each ordinate once, and at round ones where these are few.
     pure function ordinates_of(asked, kind, low, high) result(ordinates)
@@ -83,12 +103,7 @@ contains
         integer :: i
 
         allocate (ordinates(0))
-        do i = 1, size(asked)
-            if (asked(i)%plane%kind /= kind) cycle
-            associate (at => asked(i)%plane%through(kind))
-                if (.not. any(abs(ordinates - at) <= 0.0_dp)) ordinates = [ordinates, at]
-            end associate
-        end do
+        ordinates = cut_at(asked, kind, kind)
         if (size(ordinates) >= few .or. .not. high > low) return
         allocate (more(0))
         more = round_steps(low, high, round_ones(kind))

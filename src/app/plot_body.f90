@@ -1,7 +1,7 @@
 !> The pictures of a body deck: the lines plan, each cut in its true shape, the combs and the area
 !> curve of each body, the view in space.
 module app_plot_body
-    use api_computed_body, only: compute_body, computed_body_type
+    use api_computed_body, only: compute_body, computed_body_type, how_type
     use app_files, only: base_name
     use app_input, only: deck_input_type
     use app_picture_drawing, only: write_drawing
@@ -21,7 +21,7 @@ module app_plot_body
     use cut_faired, only: faired_cut, measured_cut
     use cut_outline, only: cut_type
     use cut_plane, only: cut_kind
-    use cut_request, only: request_type
+    use cut_request, only: cut_fact, request_type
     use deck_job, only: job_type
     use deck_job_reader, only: read_job
     use export_body_area, only: area_drawing
@@ -109,7 +109,7 @@ contains
         allocate (computed(size(deck%job%body)), asked(0), bodies(0), sets(0), panels(0))
         outlines = 0
         do i = 1, size(computed)
-            call compute_body(deck%job, i, computed(i), faults)
+            call compute_body(deck%job, i, computed(i), faults, how_type(cut_fact%slope, .true.))
             asked = [asked, computed(i)%cuts]
             outlines = outlines + size(computed(i)%outlines)
             call add_images(computed(i), panels)

@@ -1,7 +1,7 @@
 !> A body deck run: read whole, each body built and cut, then printed. All faults of the deck are
 !> collected; what is sound runs.
 module app_run_body
-    use api_computed_body, only: compute_body, computed_body_type, judge_body
+    use api_computed_body, only: compute_body, computed_body_type, how_type, judge_body
     use app_files, only: base_name
     use app_input, only: deck_input_type
     use app_options, only: options_type
@@ -72,7 +72,7 @@ contains
         call print_cut_csv_header(out)
         number = 0
         do i = 1, size(job%body)
-            call judge_body(job, i, computed, faults)
+            call judge_body(job, i, computed, faults, how_type(is_shared=.true.))
             do k = 1, size(computed%cuts)
                 number = number + 1
                 call print_cut_csv(number, computed%cuts(k), computed%sections, out)
@@ -98,7 +98,7 @@ contains
 
         call listing%begin(job, deck_name, out)
         do i = 1, size(job%body)
-            call compute_body(job, i, computed, faults)
+            call compute_body(job, i, computed, faults, how_type(is_shared=.true.))
             call listing%print_body_head(computed%body, computed%joints, out)
             call listing%print_faired_lines(faired_views(job%body(i), computed%body%lines), out)
             call listing%print_body_ring(computed%body, computed%ring, out)

@@ -56,7 +56,7 @@ contains
     pure function between(from, to) result(words)
         real(dp), intent(in) :: from    !! deck units
         real(dp), intent(in) :: to      !! deck units
-        character(:), allocatable :: words
+        character(len(' from station  to ') + len(compact(from)) + len(compact(to))) :: words
         words = ' from station '//compact(from)//' to '//compact(to)
     end function between
 

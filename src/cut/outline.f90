@@ -12,7 +12,8 @@
 !> Where two sections meet in an outline both give the point, the one that ends first: normal and
 !> slope may differ.
 module cut_outline
-    use base_kinds, only: dp
+    use base_kinds, only: dp, i64
+    use base_order, only: each_once
     use cut_plane, only: plane_type
     use geom_arc, only: arc_type
     use geom_arc_point, only: slope_type
@@ -22,7 +23,7 @@ module cut_outline
     private
 
     public :: cut_type, outline_type, piece_type, cut_point_type, note_type, panel_curve_type
-    public :: cut_at, has_panels
+    public :: cut_at, has_panels, keep_cuts, room_of
 
     !> A point of a cut. A value that does not exist is marked absent and is zero.
     type :: cut_point_type
@@ -116,11 +117,62 @@ contains
         integer :: i
 
         allocate (ordinates(0))
-        do i = 1, size(cuts)
-            if (cuts(i)%plane%kind /= kind) cycle
-            if (any(abs(ordinates - cuts(i)%plane%through(axis)) <= 0.0_dp)) cycle
-            ordinates = [ordinates, cuts(i)%plane%through(axis)]
-        end do
+        ordinates = each_once(pack([(cuts(i)%plane%through(axis), i=1, size(cuts))], &
+            cuts%plane%kind == kind))
     end function cut_at
+
+    !> Keeps some of a list of cuts.
+    pure subroutine keep_cuts(is_kept, cuts)
+        logical, intent(in) :: is_kept(:)                       !! one for each
+        type(cut_type), allocatable, intent(inout) :: cuts(:)   !! loses the others
+        type(cut_type), allocatable :: kept(:)
+        integer :: i, number
+
+        allocate (kept(count(is_kept)))
+        number = 0
+        do i = 1, size(cuts)
+            if (.not. is_kept(i)) cycle
+            number = number + 1
+            call move_cut(cuts(i), kept(number))
+        end do
+        call move_alloc(kept, cuts)
+    end subroutine keep_cuts
+
+    !> Moves a cut without copying its outlines.
+    pure subroutine move_cut(from, to)
+        type(cut_type), intent(inout) :: from   !! loses them
+        type(cut_type), intent(out) :: to       !! gets it
+        to = cut_type(plane=from%plane, name=from%name, is_flange_forward=from%is_flange_forward, &
+            skin=from%skin, arcs=from%arcs, sections=from%sections, patches=from%patches, &
+            off_plane=from%off_plane, disagreement=from%disagreement)
+        call move_alloc(from%outlines, to%outlines)
+        call move_alloc(from%inside, to%inside)
+        call move_alloc(from%patched, to%patched)
+        call move_alloc(from%curves, to%curves)
+        call move_alloc(from%notes, to%notes)
+    end subroutine move_cut
+
+    !> The room that a cut takes but for its notes, bytes.
+    pure integer(i64) function room_of(cut) result(room)
+        type(cut_type), intent(in) :: cut !! any
+        room = int(storage_size(cut)/8, i64)
+        if (allocated(cut%outlines)) room = room + room_of_outlines(cut%outlines)
+        if (allocated(cut%inside)) room = room + room_of_outlines(cut%inside)
+        if (allocated(cut%patched)) room = room + room_of_outlines(cut%patched)
+    end function room_of
+
+    !> The room that outlines take, bytes.
+    pure integer(i64) function room_of_outlines(outlines) result(room)
+        type(outline_type), intent(in) :: outlines(:) !! any
+        integer :: i
+
+        room = int(storage_size(outlines)/8, i64)*size(outlines, kind=i64)
+        do i = 1, size(outlines)
+            if (allocated(outlines(i)%points)) room = room + &
+                int(storage_size(outlines(i)%points)/8, i64)*size(outlines(i)%points, kind=i64)
+            if (allocated(outlines(i)%pieces)) room = room + &
+                int(storage_size(outlines(i)%pieces)/8, i64)*size(outlines(i)%pieces, kind=i64)
+        end do
+    end function room_of_outlines
 
 end module cut_outline

@@ -3,10 +3,11 @@
 module export_drawing_name
     use base_digits, only: shortest
     use base_kinds, only: dp
-    use base_text, only: limited, to_text, upper
+    use base_text, only: limited
     use cut_outline, only: cut_type
     use cut_plane, only: cut_kind, plane_type
-    use export_drawing, only: drawing_type, shape_type
+    use export_drawing, only: drawing_type
+    use export_taken_names, only: new_taken, take_name, taken_type
     implicit none (type, external)
     private
 
@@ -68,45 +69,20 @@ contains
     !> `-2`, `-3` and so on: cuts first, then lines.
     pure subroutine make_unique(drawing)
         type(drawing_type), intent(inout) :: drawing !! its shapes have names
-        type(shape_type) :: none(0)
-        integer :: i
+        type(taken_type) :: taken
+        integer :: i, cuts, lines
 
-        if (allocated(drawing%cuts)) then
-            do i = 1, size(drawing%cuts)
-                call settle(drawing%cuts(:i - 1), none, drawing%cuts(i)%name)
-            end do
-        end if
-        if (.not. allocated(drawing%lines)) return
-        do i = 1, size(drawing%lines)
-            if (allocated(drawing%cuts)) then
-                call settle(drawing%cuts, drawing%lines(:i - 1), drawing%lines(i)%name)
-            else
-                call settle(none, drawing%lines(:i - 1), drawing%lines(i)%name)
-            end if
+        cuts = 0
+        lines = 0
+        if (allocated(drawing%cuts)) cuts = size(drawing%cuts)
+        if (allocated(drawing%lines)) lines = size(drawing%lines)
+        taken = new_taken(cuts + lines)
+        do i = 1, cuts
+            call take_name(taken, drawing%cuts(i)%name)
+        end do
+        do i = 1, lines
+            call take_name(taken, drawing%lines(i)%name)
         end do
     end subroutine make_unique
-
-    !> Gives a name the suffix that makes it another than those before it.
-    pure subroutine settle(cuts, lines, name)
-        type(shape_type), intent(in) :: cuts(:)                     !! before it
-        type(shape_type), intent(in) :: lines(:)                    !! before it, too
-        character(:), allocatable, intent(inout) :: name            !! may get a suffix
-        character(:), allocatable :: asked
-        integer :: count
-
-        asked = name
-        count = 1
-        do while (any(is_named(cuts, name)) .or. any(is_named(lines, name)))
-            count = count + 1
-            name = asked//'-'//to_text(count)
-        end do
-    end subroutine settle
-
-    !> True for a shape of a name, whatever the case of its letters.
-    elemental logical function is_named(shape, name)
-        type(shape_type), intent(in) :: shape   !! has a name
-        character(*), intent(in) :: name        !! to compare with
-        is_named = upper(shape%name) == upper(name)
-    end function is_named
 
 end module export_drawing_name
