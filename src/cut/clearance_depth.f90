@@ -32,7 +32,7 @@ module cut_clearance_depth
     !> Halvings of the step on the way to the point of a box that is deepest beyond the skin.
     integer, parameter :: most_halvings = 44
     !> Part of its size by which a distance may be off.
-    real(dp), parameter :: doubt = 1.0e-9_dp
+    real(dp), parameter :: doubt = 1.0e-12_dp
 
 contains
 
