@@ -5,7 +5,7 @@
 !> journal is removed.
 module app_journal
     use, intrinsic :: iso_c_binding, only: c_associated, c_int, c_null_ptr, c_ptr
-    use app_progress, only: tell_progress
+    use app_progress, only: tell_progress, time_words
     use app_whole_file, only: read_whole
     use base_error, only: cause, error_type, fail
     use base_exact, only: is_equal
@@ -15,7 +15,7 @@ module app_journal
     use base_text, only: to_text
     use sweep_keeper, only: keeper_type
     use sweep_plan, only: values_of
-    use sweep_record, only: header_of, read_row, record_type, row_of_record
+    use sweep_record, only: header_of, read_row, record_type, row_of_record, state
     use sweep_seal, only: sealed, unseal
     use sweep_study, only: study_type
     implicit none (type, external)
@@ -31,6 +31,7 @@ module app_journal
         type(c_ptr), private :: stream = c_null_ptr
         type(output_type), private :: out
         integer, private :: done = 0                    !! finished variants
+        integer, private :: sound = 0                   !! those that keep all limits
         integer, private :: done_before = 0             !! those that were in the journal
         integer(i64), private :: begun = 0              !! ticks of the clock when it was opened
     contains
@@ -220,9 +221,20 @@ contains
                 'its variant is computed again')
             return
         end if
-        if (journal%record(record%number)%number == 0) journal%done = journal%done + 1
-        journal%record(record%number) = record
+        call file_away(journal, record)
     end subroutine take_row
+
+    !> Puts a variant in its place and counts it, where it is not there yet.
+    subroutine file_away(journal, record)
+        class(journal_type), intent(inout) :: journal   !! gets the variant
+        type(record_type), intent(in) :: record         !! finished
+
+        associate (place => journal%record(record%number))
+            if (place%number == 0) journal%done = journal%done + 1
+            if (place%number == 0 .and. record%state == state%ok) journal%sound = journal%sound + 1
+            place = record
+        end associate
+    end subroutine file_away
 
     !> Keeps a variant: its row goes to the file at once.
     !>
@@ -240,29 +252,21 @@ contains
                 return
             end if
         end if
-        keeper%record(record%number) = record
-        keeper%done = keeper%done + 1
+        call file_away(keeper, record)
         call tell_progress('variant '//to_text(keeper%done)//' of '// &
-            to_text(size(keeper%record))//time_left(keeper))
+            to_text(size(keeper%record))//', '//to_text(keeper%sound)//' keep all limits, '// &
+            time_words(seconds_left(keeper))//' left')
     end subroutine keep_in_journal
 
-    !> The time that is left at the pace so far, in words.
-    function time_left(journal) result(words)
+    !> The seconds that are left at the pace so far.
+    integer(i64) function seconds_left(journal)
         class(journal_type), intent(in) :: journal !! at least one was computed since it was opened
-        character(:), allocatable :: words
-        integer(i64) :: now, rate, left
+        integer(i64) :: now, rate
 
         call system_clock(now, rate)
-        left = (now - journal%begun)/int(journal%done - journal%done_before, i64)* &
+        seconds_left = (now - journal%begun)/int(journal%done - journal%done_before, i64)* &
             int(size(journal%record) - journal%done, i64)/rate
-        if (left >= 3600) then
-            words = ', '//to_text(left/3600)//' h '//to_text(mod(left, 3600_i64)/60)//' min left'
-        else if (left >= 60) then
-            words = ', '//to_text(left/60)//' min '//to_text(mod(left, 60_i64))//' s left'
-        else
-            words = ', '//to_text(left)//' s left'
-        end if
-    end function time_left
+    end function seconds_left
 
     !> Numbers of the variants that are not done.
     pure function pending_of(journal) result(pending)

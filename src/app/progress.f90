@@ -11,12 +11,13 @@
 module app_progress
     use, intrinsic :: iso_c_binding, only: c_char, c_funloc, c_funptr, c_int, c_intptr_t, &
         c_size_t
+    use base_kinds, only: i64
     use base_posix, only: c_alarm, c_isatty, c_signal, c_write, standard_error
-    use base_text, only: first_bytes, printable
+    use base_text, only: first_bytes, printable, to_text
     implicit none (type, external)
     private
 
-    public :: begin_progress, tell_progress, end_progress
+    public :: begin_progress, tell_progress, end_progress, time_words
 
     !> The alarm signal, numbered alike on Linux, macOS and the BSDs.
     integer(c_int), parameter :: alarm_signal = 14_c_int
@@ -77,6 +78,20 @@ contains
         if (is_late) taken = c_write(standard_error, to_start//wipe, int(len(to_start//wipe), &
             c_size_t))
     end subroutine end_progress
+
+    !> A time in words, to two parts: `1 h 20 min`, `2 min 5 s`, `7 s`.
+    pure function time_words(seconds) result(words)
+        integer(i64), intent(in) :: seconds !! not negative
+        character(:), allocatable :: words
+
+        if (seconds >= 3600) then
+            words = to_text(seconds/3600)//' h '//to_text(mod(seconds, 3600_i64)/60)//' min'
+        else if (seconds >= 60) then
+            words = to_text(seconds/60)//' min '//to_text(mod(seconds, 60_i64))//' s'
+        else
+            words = to_text(seconds)//' s'
+        end if
+    end function time_words
 
     !> The handler: the silence is over. It calls only what POSIX allows in a handler.
     subroutine be_late(number) bind(c)
