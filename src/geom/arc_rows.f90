@@ -13,13 +13,21 @@ module geom_arc_rows
     implicit none (type, external)
     private
 
-    public :: places_type, arc_rows_type, place_of_row, crossings, coordinates, find_arc_rows
+    public :: places_type, arc_rows_type, terms_type
+    public :: place_of_row, crossings, terms_of, coordinates, find_arc_rows
 
     !> Places on an arc, as `place_type`.
     type :: places_type
         type(rows_type) :: alpha !! shares of the start
         type(rows_type) :: beta  !! shares of the finish
     end type places_type
+
+    !> What the coordinates of places have in common; a : b are the shares.
+    type :: terms_type
+        type(rows_type) :: twice   !! 2 a b
+        type(rows_type) :: apart   !! b**2 - a**2
+        type(rows_type) :: divisor !! D of `geom_arc_point`
+    end type terms_type
 
     !> Points of an arc with what the tables say of them.
     type :: arc_rows_type
@@ -39,23 +47,29 @@ contains
         real(dp), intent(in) :: ordinate(rows_at_once)  !! between the ends of a stretch, deck units
         logical, intent(in) :: rising                   !! the coordinate increases along the arc
         type(arc_rows_type), intent(inout) :: rows      !! gets them
-        type(rows_type) :: n(2), pace
+        type(terms_type) :: terms
+        type(rows_type) :: alpha_square, beta_square, n(2), pace
         real(dp), dimension(rows_at_once) :: run, rise
-        integer :: i
+        integer :: i, k
 
         rows%places = crossings(arc, axis, ordinate, rising)
+        terms = terms_of(arc, rows%places)
         rows%x = ordinate
         rows%y = ordinate
-        if (axis == 1) rows%y = coordinates(arc, 2, rows%places)
-        if (axis == 2) rows%x = coordinates(arc, 1, rows%places)
-        n(1) = hodographs(arc, 1, rows%places)
-        n(2) = hodographs(arc, 2, rows%places)
+        if (axis == 1) rows%y = coordinates(arc, 2, terms)
+        if (axis == 2) rows%x = coordinates(arc, 1, terms)
+        alpha_square = rows%places%alpha*rows%places%alpha
+        beta_square = rows%places%beta*rows%places%beta
+        do k = 1, 2
+            n(k) = alpha_square*arc%leaving(k) + terms%twice*arc%half(k) + &
+                beta_square*arc%arriving(k)
+        end do
         run = to_real(n(1))
         rise = to_real(n(2))
         do i = 1, rows_at_once
             rows%slope(i) = slope_along([run(i), rise(i)])
         end do
-        pace = denominators(arc, rows%places)/sqrt(n(1)*n(1) + n(2)*n(2))
+        pace = terms%divisor/sqrt(n(1)*n(1) + n(2)*n(2))
         rows%curvature = to_real(cross(arc%bulge, arc%half)*pace*pace*pace)/arc%size
     end subroutine find_arc_rows
 
@@ -104,40 +118,30 @@ contains
         all = x
     end function spread_out
 
-    !> One coordinate of places between the ends, deck units.
-    pure function coordinates(arc, axis, places) result(coordinate)
-        type(arc_type), intent(in) :: arc        !! any arc
-        integer, intent(in) :: axis              !! 1: x, 2: y
-        type(places_type), intent(in) :: places  !! where on it, no end
-        real(dp) :: coordinate(rows_at_once)
-        type(rows_type) :: rise, along, offset
-
-        associate (a => places%alpha, b => places%beta)
-            rise = 2.0_dp*(a*b)*arc%bulge(axis)
-            along = (b - a)*(b + a)*arc%half(axis)
-            offset = arc%half(axis) + (rise + along)/denominators(arc, places)
-            coordinate = to_real(twofold(arc%start(axis)) + arc%size*offset)
-        end associate
-    end function coordinates
-
-    !> D of `geom_arc_point`.
-    pure type(rows_type) function denominators(arc, places)
+    !> What the coordinates of places have in common.
+    pure type(terms_type) function terms_of(arc, places) result(terms)
         type(arc_type), intent(in) :: arc        !! any arc
         type(places_type), intent(in) :: places  !! where on it
         type(rows_type) :: apart
-
-        apart = places%alpha - places%beta
-        denominators = apart*apart + 2.0_dp*(places%alpha*places%beta)*arc%fullness
-    end function denominators
-
-    !> One component of n of `geom_arc_point`.
-    pure type(rows_type) function hodographs(arc, axis, places) result(n)
-        type(arc_type), intent(in) :: arc        !! any arc
-        integer, intent(in) :: axis              !! 1: x, 2: y
-        type(places_type), intent(in) :: places  !! where on it
         associate (a => places%alpha, b => places%beta)
-            n = a*a*arc%leaving(axis) + 2.0_dp*(a*b)*arc%half(axis) + b*b*arc%arriving(axis)
+            apart = a - b
+            terms%twice = 2.0_dp*(a*b)
+            terms%apart = (b - a)*(b + a)
+            terms%divisor = apart*apart + terms%twice*arc%fullness
         end associate
-    end function hodographs
+    end function terms_of
+
+    !> One coordinate of places between the ends, deck units.
+    pure function coordinates(arc, axis, terms) result(coordinate)
+        type(arc_type), intent(in) :: arc       !! any arc
+        integer, intent(in) :: axis             !! 1: x, 2: y
+        type(terms_type), intent(in) :: terms   !! of the places, no end
+        real(dp) :: coordinate(rows_at_once)
+        type(rows_type) :: offset
+
+        offset = arc%half(axis) + (terms%twice*arc%bulge(axis) + terms%apart*arc%half(axis))/ &
+            terms%divisor
+        coordinate = to_real(twofold(arc%start(axis)) + arc%size*offset)
+    end function coordinates
 
 end module geom_arc_rows

@@ -73,13 +73,28 @@ contains
         real(dp), intent(in) :: tolerance                   !! relative error asked, 50 ulp or more
         real(dp), intent(out) :: integral                   !! the integral
         type(error_type), allocatable, intent(out) :: error !! see above
+        type(panel_type) :: whole
+
+        integral = 0.0_dp
+        if (is_equal(from, to)) return
+        whole = measured(f, from, to)
+        integral = whole%integral
+        if (whole%error > tolerance*abs(integral)) &
+            call integrate_by_panels(f, whole, tolerance, integral, error)
+    end subroutine integrate
+
+    !> The integral over a panel that is too long for the rule. Fails as `integrate`.
+    pure subroutine integrate_by_panels(f, whole, tolerance, integral, error)
+        class(integrand_type), intent(in) :: f              !! the function
+        type(panel_type), intent(in) :: whole               !! the interval, measured
+        real(dp), intent(in) :: tolerance                   !! as `integrate`
+        real(dp), intent(out) :: integral                   !! the integral
+        type(error_type), allocatable, intent(out) :: error !! see above
         type(panel_type) :: panels(most_panels)
         real(dp) :: estimate, middle
         integer :: count, worst
 
-        integral = 0.0_dp
-        if (is_equal(from, to)) return
-        panels(1) = measured(f, from, to)
+        panels(1) = whole
         do count = 1, most_panels - 1
             integral = sum(panels(:count)%integral)
             estimate = sum(panels(:count)%error)
@@ -91,7 +106,7 @@ contains
         end do
         call fail(error, cause%no_convergence, 'the integral '//compact(integral)// &
             ' is uncertain by '//compact(estimate)//' after '//to_text(most_panels)//' panels')
-    end subroutine integrate
+    end subroutine integrate_by_panels
 
     !> The integral over a panel with its estimated error.
     pure type(panel_type) function measured(f, from, to) result(panel)

@@ -175,17 +175,16 @@ contains
             rise(i) = aa*quick%leaving(y) + ab*quick%half(y) + bb*quick%arriving(y)
             length(i) = max(sqrt(run(i)*run(i) + rise(i)*rise(i)), nothing)
             pace(i) = length(i)*d
-            vague(i) = (aa + bb)*quick%tangents*doubt(i)
+            vague(i) = (aa + bb)*quick%tangents*doubt(i)/length(i)
         end do
         do i = 1, rows_at_once
             rows%slope(i) = rise(i)/sign(max(abs(run(i)), nothing), run(i))
             rows%radius(i) = quick%bend*pace(i)*pace(i)*pace(i)
             rows%other_doubt(i) = spread*doubt(i) + quick%other_noise
-            rows%slope_doubt(i) = 2.0_dp*vague(i)*(1.0_dp + abs(rows%slope(i))) &
-                /max(abs(run(i)), nothing)
-            rows%angle_doubt(i) = 2.0_dp*degrees*(vague(i)/length(i) + angle_error)
-            rows%radius_doubt(i) = abs(rows%radius(i)) &
-                *(6.0_dp*vague(i)/length(i) + turning*doubt(i))
+            ! The tangent is no longer than (1 + |slope|) |run|.
+            rows%slope_doubt(i) = 2.0_dp*vague(i)*(1.0_dp + abs(rows%slope(i)))**2
+            rows%angle_doubt(i) = 2.0_dp*degrees*(vague(i) + angle_error)
+            rows%radius_doubt(i) = abs(rows%radius(i))*(6.0_dp*vague(i) + turning*doubt(i))
             rows%angle(i) = angle_of(run(i), rise(i))
         end do
     end subroutine find_figures

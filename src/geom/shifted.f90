@@ -1,17 +1,16 @@
 !> The conic of a card as the 1970 program set it up, `A x**2 + B x y + C y**2 + D x + E y = -1`,
-!> with the origin shifted so that no point is near it, but solved by LAPACK: a check on the arc,
-!> and on what the shift does to the condition.
+!> with the origin shifted so that no point is near it, but solved with pivoting and refinement: a
+!> check on the arc, and on what the shift does to the condition.
 !>
 !> Source: SAE 700202, "Determining aircraft contours by computer", appendix A: three rows
 !> `x**2, x y, y**2, x, y, -1` for the points, two rows `2 x, y + s x, 2 s y, 1, s, 0` for the
 !> slopes. For a vertical tangent the slope row is its limit on division by s, `0, x, 2 y, 0, 1, 0`.
 module geom_shifted
     use base_error, only: error_type
-    use base_exact, only: is_zero
     use base_kinds, only: dp
     use geom_arc, only: arc_type, end_type
-    use geom_arc_rows, only: coordinates, places_type
-    use geom_lapack, only: solve
+    use geom_arc_rows, only: coordinates, places_type, terms_of, terms_type
+    use geom_five, only: solve_five
     use geom_twofold_rows, only: exact_difference, rows_at_once
     implicit none (type, external)
     private
@@ -49,7 +48,7 @@ contains
         matrix(3, :) = point_row(finish%point + shift)
         matrix(4, :) = tangent_row(start%point + shift, start%tangent)
         matrix(5, :) = tangent_row(finish%point + shift, finish%tangent)
-        call solve(matrix, [-1.0_dp, -1.0_dp, -1.0_dp, 0.0_dp, 0.0_dp], conic%coefficient, &
+        call solve_five(matrix, [-1.0_dp, -1.0_dp, -1.0_dp, 0.0_dp, 0.0_dp], conic%coefficient, &
             conic%rcond, error)
     end subroutine solve_shifted
 
@@ -75,34 +74,41 @@ contains
         type(arc_type), intent(in) :: arc       !! the arc
         real(dp), dimension(rows_at_once) :: t, x, y
         type(places_type) :: places
+        type(terms_type) :: terms
         integer :: i, first
 
-        largest = max(distance(conic, arc%start), distance(conic, arc%finish))
+        largest = 0.0_dp
+        call take_distance(conic, arc%start, largest)
+        call take_distance(conic, arc%finish, largest)
         do first = 1, compared - 2, rows_at_once
             t = [(real(min(first + i, compared - 2), dp)/real(compared - 1, dp), &
                 i=0, rows_at_once - 1)]
             places%alpha = exact_difference(whole, t)
             places%beta = exact_difference(t, nothing)
-            x = coordinates(arc, 1, places)
-            y = coordinates(arc, 2, places)
+            terms = terms_of(arc, places)
+            x = coordinates(arc, 1, terms)
+            y = coordinates(arc, 2, terms)
             do i = 1, min(rows_at_once, compared - 1 - first)
-                largest = max(largest, distance(conic, [x(i), y(i)]))
+                call take_distance(conic, [x(i), y(i)], largest)
             end do
         end do
     end function difference_from
 
-    !> The distance of a point from a shifted conic, |F|/|grad F|, deck units.
-    pure real(dp) function distance(conic, at)
+    !> Takes the distance of a point from a shifted conic, |F|/|grad F|, where it is the largest.
+    pure subroutine take_distance(conic, at, largest)
         type(shifted_type), intent(in) :: conic !! the conic
         real(dp), intent(in) :: at(2)           !! x and y, deck units, unshifted
-        real(dp) :: p(2), gradient(2)
+        real(dp), intent(inout) :: largest      !! of some points, deck units
+        real(dp) :: p(2), gradient(2), value
 
         p = at + conic%shift
         associate (k => conic%coefficient)
             gradient = [2.0_dp*k(1)*p(1) + k(2)*p(2) + k(4), k(2)*p(1) + 2.0_dp*k(3)*p(2) + k(5)]
-            distance = abs(dot_product(k, point_row(p)) + 1.0_dp)
+            value = abs(dot_product(k, point_row(p)) + 1.0_dp)
         end associate
-        if (.not. is_zero(distance)) distance = distance/norm2(gradient)
-    end function distance
+        ! No gradient is shorter than its longer part: most points are nearer for sure.
+        if (value > 0.999_dp*largest*maxval(abs(gradient))) &
+            largest = max(largest, value/norm2(gradient))
+    end subroutine take_distance
 
 end module geom_shifted

@@ -28,6 +28,8 @@ module geom_stretch
         integer(i64) :: touched = 0      !! that step
     end type stretch_type
 
+    !> A conic turns back twice at most.
+    integer, parameter :: most_stretches = 3
     !> Steps are counted from the grid's start; beyond this count the grid can't be meant.
     real(dp), parameter :: furthest_step = 1000.0_dp*largest_table
 
@@ -45,11 +47,12 @@ contains
         type(stretch_type), allocatable, intent(out) :: stretches(:)  !! in order along the arc
         type(error_type), allocatable, intent(out) :: error           !! see `divide`
         type(place_type), allocatable :: ends(:)
-        type(stretch_type) :: stretch
+        type(stretch_type) :: found(most_stretches)
         real(dp) :: from, to, noise, last, span
-        integer :: i
+        integer :: i, count
 
-        allocate (stretches(0))
+        count = 0
+        allocate (ends(0))
         ends = [turning_places(arc, axis), at_finish]
         from = arc%start(axis)
         last = arc%finish(axis)
@@ -59,14 +62,17 @@ contains
             to = coordinate(arc, axis, ends(i))
             if (abs(to - from) <= noise) cycle
             if (i == size(ends) - 1 .and. abs(last - to) <= noise) ends(i) = at_finish
-            stretch%finish = ends(i)
-            call count_steps(grid, from, to, noise, stretch, error)
-            if (allocated(error)) return
-            stretch%touches = stretch%touches .and. i < size(ends) .and. .not. at_end(ends(i))
-            stretches = [stretches, stretch]
+            count = count + 1
+            associate (stretch => found(count))
+                stretch%finish = ends(i)
+                call count_steps(grid, from, to, noise, stretch, error)
+                if (allocated(error)) return
+                stretch%touches = stretch%touches .and. i < size(ends) .and. .not. at_end(ends(i))
+            end associate
             span = span + abs(to - from)
             from = to
         end do
+        allocate (stretches(count), source=found(:count))
         if (sum(stretches%count) + 2 > largest_table) call refuse(span, grid%step_length(), error)
     contains
         !> True for the last point of the arc.

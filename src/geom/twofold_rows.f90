@@ -9,8 +9,8 @@ module geom_twofold_rows
     public :: rows_type, exact_difference, to_real, selected
     public :: operator(+), operator(-), operator(*), operator(/), sqrt
 
-    !> Rows that are worked side by side.
-    integer, parameter, public :: rows_at_once = 16
+    !> Rows that are worked side by side: even, for vectors of two, and few enough to stay at hand.
+    integer, parameter, public :: rows_at_once = 12
 
     !> The numbers `high + low`.
     type :: rows_type
@@ -43,13 +43,6 @@ module geom_twofold_rows
     end interface to_real
 
 contains
-
-    !> The same number in all rows.
-    pure type(rows_type) function rows_of_twofold(a) result(c)
-        type(twofold_type), intent(in) :: a !! any number
-        c%high = a%high
-        c%low = a%low
-    end function rows_of_twofold
 
     !> The doubles nearest to the numbers.
     pure function rows_to_real(a) result(x)
@@ -84,43 +77,28 @@ contains
     pure type(rows_type) function sum_of(a, b) result(c)
         type(rows_type), intent(in) :: a !! any numbers
         type(rows_type), intent(in) :: b !! any numbers
-        real(dp) :: part, head, head_rest, tail, tail_rest, sum
-        integer :: i
-        do i = 1, rows_at_once
-            head = a%high(i) + b%high(i)
-            part = head - a%high(i)
-            head_rest = (a%high(i) - (head - part)) + (b%high(i) - part)
-            tail = a%low(i) + b%low(i)
-            part = tail - a%low(i)
-            tail_rest = (a%low(i) - (tail - part)) + (b%low(i) - part)
-            head_rest = head_rest + tail
-            sum = head + head_rest
-            head_rest = head_rest - (sum - head)
-            tail_rest = head_rest + tail_rest
-            c%high(i) = sum + tail_rest
-            c%low(i) = tail_rest - (c%high(i) - sum)
-        end do
+        call add(a%high, a%low, b%high, b%low, c%high, c%low)
     end function sum_of
 
     !> `y + b`.
     pure type(rows_type) function sum_to_twofold(y, b) result(c)
         type(twofold_type), intent(in) :: y !! the same in all rows
         type(rows_type), intent(in) :: b    !! any numbers
-        c = sum_of(rows_of_twofold(y), b)
+        call add(y%high, y%low, b%high, b%low, c%high, c%low)
     end function sum_to_twofold
 
     !> `a - b`.
     pure type(rows_type) function difference_of(a, b) result(c)
         type(rows_type), intent(in) :: a !! any numbers
         type(rows_type), intent(in) :: b !! any numbers
-        c = sum_of(a, negative_of(b))
+        call add(a%high, a%low, -b%high, -b%low, c%high, c%low)
     end function difference_of
 
     !> `y - b`.
     pure type(rows_type) function difference_from_twofold(y, b) result(c)
         type(twofold_type), intent(in) :: y !! the same in all rows
         type(rows_type), intent(in) :: b    !! any numbers
-        c = sum_of(rows_of_twofold(y), negative_of(b))
+        call add(y%high, y%low, -b%high, -b%low, c%high, c%low)
     end function difference_from_twofold
 
     !> `-a`.
@@ -134,77 +112,48 @@ contains
     pure type(rows_type) function product_of(a, b) result(c)
         type(rows_type), intent(in) :: a !! any numbers
         type(rows_type), intent(in) :: b !! any numbers
-        real(dp) :: product, rest
-        integer :: i
-        do i = 1, rows_at_once
-            product = a%high(i)*b%high(i)
-            rest = rest_of_product(a%high(i), b%high(i), product) + &
-                (a%high(i)*b%low(i) + a%low(i)*b%high(i))
-            c%high(i) = product + rest
-            c%low(i) = rest - (c%high(i) - product)
-        end do
+        call multiply(a%high, a%low, b%high, b%low, c%high, c%low)
     end function product_of
 
     !> `a*y`.
     pure type(rows_type) function product_with_twofold(a, y) result(c)
         type(rows_type), intent(in) :: a    !! any numbers
         type(twofold_type), intent(in) :: y !! the same in all rows
-        c = product_of(a, rows_of_twofold(y))
+        call multiply(a%high, a%low, y%high, y%low, c%high, c%low)
     end function product_with_twofold
 
     !> `y*b`.
     pure type(rows_type) function twofold_times(y, b) result(c)
         type(twofold_type), intent(in) :: y !! the same in all rows
         type(rows_type), intent(in) :: b    !! any numbers
-        c = product_of(rows_of_twofold(y), b)
+        call multiply(y%high, y%low, b%high, b%low, c%high, c%low)
     end function twofold_times
 
     !> `x*b`; exact where `x` is a power of two.
     pure type(rows_type) function real_times(x, b) result(c)
         real(dp), intent(in) :: x        !! the same in all rows
         type(rows_type), intent(in) :: b !! any numbers
-        c = each_times(spread_out(x), b)
+        call multiply_real(x, b%high, b%low, c%high, c%low)
     end function real_times
-
-    !> A double in all rows.
-    pure function spread_out(x) result(all)
-        real(dp), intent(in) :: x !! any number
-        real(dp) :: all(rows_at_once)
-        all = x
-    end function spread_out
-
-    !> `x*b`, each row its own double.
-    pure type(rows_type) function each_times(x, b) result(c)
-        real(dp), intent(in) :: x(rows_at_once) !! any numbers
-        type(rows_type), intent(in) :: b        !! any numbers
-        real(dp) :: product, rest
-        integer :: i
-        do i = 1, rows_at_once
-            product = x(i)*b%high(i)
-            rest = rest_of_product(x(i), b%high(i), product) + x(i)*b%low(i)
-            c%high(i) = product + rest
-            c%low(i) = rest - (c%high(i) - product)
-        end do
-    end function each_times
 
     !> `a/b`.
     pure type(rows_type) function quotient_of(a, b) result(c)
         type(rows_type), intent(in) :: a !! any numbers
         type(rows_type), intent(in) :: b !! any numbers but zero
-        type(rows_type) :: rest, last
+        type(rows_type) :: part, rest
         real(dp), dimension(rows_at_once) :: first, second
         integer :: i
         first = a%high/b%high
-        rest = a - each_times(first, b)
+        call multiply_real(first, b%high, b%low, part%high, part%low)
+        rest = a - part
         second = rest%high/b%high
-        rest = rest - each_times(second, b)
+        call multiply_real(second, b%high, b%low, part%high, part%low)
+        rest = rest - part
         do i = 1, rows_at_once
-            c%high(i) = first(i) + second(i)
-            c%low(i) = second(i) - (c%high(i) - first(i))
+            part%high(i) = first(i) + second(i)
+            part%low(i) = second(i) - (part%high(i) - first(i))
         end do
-        last%high = rest%high/b%high
-        last%low = 0.0_dp
-        c = c + last
+        call add(part%high, part%low, rest%high/b%high, 0.0_dp, c%high, c%low)
     end function quotient_of
 
     !> The square roots; zero of what is not positive.
@@ -229,6 +178,61 @@ contains
             c%low = 0.0_dp
         end where
     end function root_of
+
+    !> The sum of two numbers.
+    elemental subroutine add(a_high, a_low, b_high, b_low, high, low)
+        real(dp), intent(in) :: a_high  !! of any number
+        real(dp), intent(in) :: a_low   !! its rest
+        real(dp), intent(in) :: b_high  !! of any number
+        real(dp), intent(in) :: b_low   !! its rest
+        real(dp), intent(out) :: high   !! of the sum
+        real(dp), intent(out) :: low    !! its rest
+        real(dp) :: part, head, head_rest, tail, tail_rest, sum
+
+        head = a_high + b_high
+        part = head - a_high
+        head_rest = (a_high - (head - part)) + (b_high - part)
+        tail = a_low + b_low
+        part = tail - a_low
+        tail_rest = (a_low - (tail - part)) + (b_low - part)
+        head_rest = head_rest + tail
+        sum = head + head_rest
+        head_rest = head_rest - (sum - head)
+        tail_rest = head_rest + tail_rest
+        high = sum + tail_rest
+        low = tail_rest - (high - sum)
+    end subroutine add
+
+    !> The product of two numbers.
+    elemental subroutine multiply(a_high, a_low, b_high, b_low, high, low)
+        real(dp), intent(in) :: a_high  !! of any number
+        real(dp), intent(in) :: a_low   !! its rest
+        real(dp), intent(in) :: b_high  !! of any number
+        real(dp), intent(in) :: b_low   !! its rest
+        real(dp), intent(out) :: high   !! of the product
+        real(dp), intent(out) :: low    !! its rest
+        real(dp) :: product, rest
+
+        product = a_high*b_high
+        rest = rest_of_product(a_high, b_high, product) + (a_high*b_low + a_low*b_high)
+        high = product + rest
+        low = rest - (high - product)
+    end subroutine multiply
+
+    !> The product of a double and a number.
+    elemental subroutine multiply_real(x, b_high, b_low, high, low)
+        real(dp), intent(in) :: x       !! any number
+        real(dp), intent(in) :: b_high  !! of any number
+        real(dp), intent(in) :: b_low   !! its rest
+        real(dp), intent(out) :: high   !! of the product
+        real(dp), intent(out) :: low    !! its rest
+        real(dp) :: product, rest
+
+        product = x*b_high
+        rest = rest_of_product(x, b_high, product) + x*b_low
+        high = product + rest
+        low = rest - (high - product)
+    end subroutine multiply_real
 
     !> What the rounding of a product left over (Veltkamp, Dekker).
     elemental real(dp) function rest_of_product(x, y, product) result(rest)

@@ -5,7 +5,8 @@ program test_arc_rows
     use base_kinds, only: dp, i64
     use geom_arc, only: arc_type
     use geom_arc_point, only: point
-    use geom_arc_rows, only: arc_rows_type, coordinates, find_arc_rows, place_of_row, places_type
+    use geom_arc_rows, only: arc_rows_type, coordinates, find_arc_rows, place_of_row, places_type, &
+        terms_of
     use geom_contour, only: contour_point_type, contour_type, new_contour
     use geom_place, only: place_at, place_type
     use geom_twofold_rows, only: exact_difference, rows_at_once
@@ -94,8 +95,8 @@ contains
         t = [(real(i, dp)/real(rows_at_once + 1, dp), i=1, rows_at_once)]
         at%alpha = exact_difference(one, t)
         at%beta = exact_difference(t, zero)
-        x = coordinates(arc, 1, at)
-        y = coordinates(arc, 2, at)
+        x = coordinates(arc, 1, terms_of(arc, at))
+        y = coordinates(arc, 2, terms_of(arc, at))
         do i = 1, rows_at_once
             place = place_at(t(i))
             alone = point(arc, place)
