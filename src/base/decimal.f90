@@ -34,6 +34,10 @@ module base_decimal
 
     !> Powers of ten that a double holds exactly.
     integer, parameter :: exact_powers = 22
+    real(dp), parameter, public :: tens(0:exact_powers) = [1.0e0_dp, 1.0e1_dp, 1.0e2_dp, 1.0e3_dp, &
+        1.0e4_dp, 1.0e5_dp, 1.0e6_dp, 1.0e7_dp, 1.0e8_dp, 1.0e9_dp, 1.0e10_dp, 1.0e11_dp, &
+        1.0e12_dp, 1.0e13_dp, 1.0e14_dp, 1.0e15_dp, 1.0e16_dp, 1.0e17_dp, 1.0e18_dp, 1.0e19_dp, &
+        1.0e20_dp, 1.0e21_dp, 1.0e22_dp]
     !> Whole numbers below this are doubles.
     integer(i128), parameter :: exact_whole = 2_i128**53
 
@@ -106,7 +110,7 @@ contains
         if (max(abs(grid%start), abs(grid%start + int(first, i128)*grid%step), abs(last)) &
             < exact_whole .and. grid%power <= 0 .and. grid%power >= -exact_powers) then
             ! Whole numbers that a double holds: only the quotient is rounded.
-            ten = 10.0_dp**(-grid%power)
+            ten = tens(-grid%power)
             from = real(grid%start + int(first, i128)*grid%step, dp)
             by = real(stride*int(grid%step, i64), dp)
             do i = 1, size(values)
@@ -141,9 +145,9 @@ contains
 
         if (abs(digits) < exact_whole .and. abs(power) <= exact_powers) then
             if (power < 0) then
-                x = real(digits, dp)/10.0_dp**(-power)
+                x = real(digits, dp)/tens(-power)
             else
-                x = real(digits, dp)*10.0_dp**power
+                x = real(digits, dp)*tens(power)
             end if
         else
             write (text, '(i0,"e",i0)') digits, power

@@ -9,13 +9,15 @@ module base_digits
     use base_kinds, only: dp, i128, i64
     use base_rounding, only: figures_of, units_of
     use base_shortest, only: put_power, put_shortest, shortest_length
-        implicit none (type, external)
+    implicit none (type, external)
     private
 
-    public :: fixed, scientific, shortest, put_scientific
+    public :: fixed, scientific, shortest, put_fixed, put_scientific
 
     !> Columns of the longest number that `put_scientific` writes.
     integer, parameter, public :: widest_scientific = 24
+    !> Columns of the longest number that `put_fixed` writes; a longer one has a power of ten.
+    integer, parameter :: widest_fixed = 16
 
 contains
 
@@ -42,6 +44,18 @@ contains
             text(width - used + 1:) = line(len(line) - used + 1:)
         end if
     end function fixed
+
+    !> Writes a number with a fixed count of decimals, as `fixed`, in as few columns as it needs,
+    !> from a column on.
+    pure subroutine put_fixed(value, decimals, line, next)
+        real(dp), intent(in) :: value       !! a finite number
+        integer, intent(in) :: decimals     !! figures behind the point, 0 to 12
+        character(*), intent(inout) :: line !! has `widest_fixed` columns from there on
+        integer, intent(inout) :: next      !! the first column; behind the last on return
+        character(widest_fixed) :: text
+        text = fixed(value, widest_fixed, decimals)
+        call put_text(text(verify(text, ' '):), line, next)
+    end subroutine put_fixed
 
     !> A number with one figure before the point and a power of ten of two figures, or three where
     !> it needs them, right in its columns.

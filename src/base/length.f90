@@ -7,6 +7,7 @@
 !> the same module.
 module base_length
     use base_exact, only: is_zero
+    use base_figures, only: figure_count
     use base_kinds, only: dp, i64
     implicit none (type, external)
     private
@@ -18,9 +19,8 @@ contains
     !> Characters of a whole number.
     elemental integer(i64) function places(value)
         integer(i64), intent(in) :: value !! any whole number
-        character(24) :: field
-        write (field, '(i0)') value
-        places = len_trim(field, i64)
+        places = int(figure_count(abs(max(value, -huge(value)))), i64)
+        if (value < 0) places = places + 1
     end function places
 
     !> Characters of `compact`, of base_text.

@@ -8,6 +8,7 @@
 !> Source: R. Giulietti, "The Schubfach way to render doubles", 2021 (the coarser of two powers of
 !> ten has at most one multiple that reads as the double, the finer at least one).
 module base_rounding
+    use base_decimal, only: tens
     use base_exact, only: is_equal
     use base_kinds, only: dp, i128, i64
     use base_power, only: decade_of_binary, half_bits, power_of_ten, power_type, product_with
@@ -18,9 +19,6 @@ module base_rounding
 
     !> Figures that a double always keeps, and that always tell it from its neighbours.
     integer, parameter :: kept_figures = 15, telling_figures = 17
-    !> Powers of ten.
-    real(dp), parameter :: tens(0:12) = [1.0e0_dp, 1.0e1_dp, 1.0e2_dp, 1.0e3_dp, 1.0e4_dp, &
-        1.0e5_dp, 1.0e6_dp, 1.0e7_dp, 1.0e8_dp, 1.0e9_dp, 1.0e10_dp, 1.0e11_dp, 1.0e12_dp]
     !> The first bit of the whole number of a double.
     integer, parameter :: leading_bit = 61
     !> More than the product of a power of ten is off by, in its last unit.
@@ -133,11 +131,24 @@ contains
 
         call likely_figures(value, figures, power, is_sure)
         if (.not. is_sure) call tried_figures(value, figures, power)
+        if (mod(figures, 10_i64) == 0) call drop_zeros(figures, power)
+    end subroutine shortest_figures
+
+    !> Takes the zeros off the end of a number: first many at a time, then what is left of them.
+    pure subroutine drop_zeros(figures, power)
+        integer(i64), intent(inout) :: figures !! a positive whole number
+        integer, intent(inout) :: power        !! the power of ten behind it
+        integer(i64), parameter :: ten_to_eight = 100000000_i64
+
+        do while (mod(figures, ten_to_eight) == 0)
+            figures = figures/ten_to_eight
+            power = power + 8
+        end do
         do while (mod(figures, 10_i64) == 0)
             figures = figures/10
             power = power + 1
         end do
-    end subroutine shortest_figures
+    end subroutine drop_zeros
 
     !> The shortest figures by Schubfach, from products that are not exact.
     pure subroutine likely_figures(value, figures, power, is_sure)

@@ -10,6 +10,8 @@ module base_shortest
 
     !> Columns of the longest number that `put_shortest` writes.
     integer, parameter, public :: widest_shortest = 24
+    !> Characters moved at a time: no fewer than a double has figures.
+    integer, parameter :: piece = 24
 
 contains
 
@@ -44,14 +46,16 @@ contains
         length = next - 1
     end function shortest_length
 
-    !> Writes figures and a power of ten: plain where that is short, else with an `e`.
+    !> Writes figures and a power of ten: plain where that is short, else with an `e`. The text is
+    !> put together of pieces of one size, longer than needed: these move faster than exact ones.
     pure subroutine put_figures(figures, power, line, next)
         integer(i64), intent(in) :: figures !! positive whole number
         integer, intent(in) :: power        !! power of ten
         character(*), intent(inout) :: line !! gets the text
         integer, intent(inout) :: next      !! the first column; behind the last on return
-        character(17) :: digits
-        integer :: count, point, i
+        character(*), parameter :: zeros = repeat('0', piece)
+        character(2*piece) :: digits, text
+        integer :: count, point, used
 
         count = 1
         call put_whole(figures, digits, count)
@@ -59,24 +63,30 @@ contains
         point = count + power
         if (point > 16 .or. point < -4) then
             call put_text(digits(:1), line, next)
-            if (count > 1) call put_text('.'//digits(2:count), line, next)
+            if (count > 1) then
+                call put_text('.', line, next)
+                call put_text(digits(2:count), line, next)
+            end if
             call put_power('e', point - 1, line, next)
-        else if (power >= 0) then
-            call put_text(digits(:count), line, next)
-            do i = 1, power
-                call put_text('0', line, next)
-            end do
-        else if (point > 0) then
-            call put_text(digits(:point), line, next)
-            call put_text('.', line, next)
-            call put_text(digits(point + 1:count), line, next)
-        else
-            call put_text('0.', line, next)
-            do i = 1, -point
-                call put_text('0', line, next)
-            end do
-            call put_text(digits(:count), line, next)
+            return
         end if
+        if (point <= 0) then
+            text(:piece) = '0.'//zeros
+            text(3 - point:2 - point + piece) = digits(:piece)
+            used = 2 - point + count
+        else
+            text(:piece) = digits(:piece)
+            if (power >= 0) then
+                text(count + 1:count + piece) = zeros
+                used = point
+            else
+                text(point + 1:point + 1) = '.'
+                text(point + 2:point + 1 + piece) = digits(point + 1:point + piece)
+                used = count + 1
+            end if
+        end if
+        line(next:next + used - 1) = text(:used)
+        next = next + used
     end subroutine put_figures
 
     !> Writes a power of ten with its sign, at least two figures.
@@ -85,9 +95,17 @@ contains
         integer, intent(in) :: power        !! power of ten, -999 to 999
         character(*), intent(inout) :: line !! gets it
         integer, intent(inout) :: next      !! the first column; behind the last on return
-        call put_text(letter//merge('-', '+', power < 0), line, next)
-        if (abs(power) < 10) call put_text('0', line, next)
-        call put_whole(int(abs(power), i64), line, next)
+        call put_text(letter, line, next)
+        call put_text(merge('-', '+', power < 0), line, next)
+        if (abs(power) >= 100) call put_text(figure(abs(power)/100), line, next)
+        call put_text(figure(mod(abs(power)/10, 10)), line, next)
+        call put_text(figure(mod(abs(power), 10)), line, next)
     end subroutine put_power
+
+    !> A figure.
+    elemental character function figure(number)
+        integer, intent(in) :: number !! 0 to 9
+        figure = achar(iachar('0') + number)
+    end function figure
 
 end module base_shortest

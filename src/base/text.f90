@@ -81,22 +81,37 @@ contains
     pure function right(text, width) result(moved)
         character(*), intent(in) :: text !! any text; blanks around it do not count
         integer, intent(in) :: width     !! columns
-        character(max(int(width, i64), len_trim(adjustl(text), i64))) :: moved
-        moved = row_of(' ', width - len_trim(adjustl(text)))//adjustl(text)
+        character(max(int(width, i64), len_trim(text, i64) - &
+            max(verify(text, ' ', kind=i64) - 1_i64, 0_i64))) :: moved
+        integer(i64) :: first, last
+        first = max(verify(text, ' ', kind=i64), 1_i64)
+        last = len_trim(text, i64)
+        moved = ''
+        moved(len(moved, i64) - (last - first):) = text(first:last)
     end function right
 
     !> A whole number in as few characters as it needs.
     pure function integer_text(value) result(text)
         integer, intent(in) :: value !! any whole number
         character(places(int(value, i64))) :: text
-        write (text, '(i0)') value
+        text = long_text(int(value, i64))
     end function integer_text
 
     !> A long whole number in as few characters as it needs.
     pure function long_text(value) result(text)
         integer(i64), intent(in) :: value !! any whole number
         character(places(value)) :: text
-        write (text, '(i0)') value
+        integer(i64) :: rest
+        integer :: i
+
+        ! Below zero there is one number more than above.
+        rest = value
+        if (value > 0) rest = -value
+        do i = len(text), 1, -1
+            text(i:i) = achar(iachar('0') - int(mod(rest, 10_i64)))
+            rest = rest/10
+        end do
+        if (value < 0) text(1:1) = '-'
     end function long_text
 
     !> A number for a sentence: up to six decimals, or up to six figures and a power of ten, no

@@ -49,13 +49,14 @@ contains
         type(conic_card_type), intent(inout) :: card    !! label and count stay, all else is set
         type(fault_list_type), intent(inout) :: faults  !! what is wrong with it is added
         type(number_type) :: number
-        integer :: i, before
+        integer :: i, before, tab
 
         before = faults%count
         card%image = line%text
         card%line = line%number
-        call check_columns(line, faults)
-        card%is_readable = index(line%text, achar(9)) == 0
+        tab = index(line%text, achar(9))
+        call check_columns(line, tab, faults)
+        card%is_readable = tab == 0
         card%is_whole = line%filled <= card_columns
         if (card%is_readable) then
             do i = 1, size(card%value)
@@ -76,9 +77,11 @@ contains
         type(conic_card_type), intent(inout) :: card    !! the card
         type(number_type), intent(out) :: number        !! what was read
         type(fault_list_type), intent(inout) :: faults  !! what is wrong is added
+        integer(i64) :: first, last
 
-        number = read_number(columns(card%image, field%first, field%last), &
-            merge(-1, field%decimals, field%form == 'I'))
+        first = int(field%first, i64)
+        last = int(field%last, i64)
+        number = read_number(card%image(first:last), merge(-1, field%decimals, field%form == 'I'))
         call field_faults(field, number, faults)
         card%is_readable = card%is_readable .and. number%first == 0
     end subroutine read_field
@@ -142,14 +145,13 @@ contains
             is_equal(card%real(a + 1), card%real(b + 1))
     end function are_one
 
-    !> Faults of the card as a row of columns: tabs, control bytes, more than 80 columns.
-    subroutine check_columns(line, faults)
+    !> Faults of the card as a row of columns: tabs, more than 80 columns.
+    subroutine check_columns(line, tab, faults)
         type(line_type), intent(in) :: line             !! the line of the deck
+        integer, intent(in) :: tab                      !! where its first tab stands; 0: nowhere
         type(fault_list_type), intent(inout) :: faults  !! what is wrong is added
-        integer :: i
 
-        i = index(line%text, achar(9))
-        if (i > 0) call faults%add(new_fault(severity%error, i, i, &
+        if (tab > 0) call faults%add(new_fault(severity%error, tab, tab, &
             'a tab on a card; fields go by columns, so put blanks in its place'))
         if (line%filled <= card_columns) return
         call faults%add(new_fault(severity%error, card_columns + 1, line%filled, &
@@ -162,27 +164,26 @@ contains
         type(field_layout_type), intent(in) :: field    !! the field
         type(number_type), intent(in) :: number         !! what was read in it
         type(fault_list_type), intent(inout) :: faults  !! what is wrong is added
-        character(:), allocatable :: name, reason
+        character(:), allocatable :: reason
 
-        name = trim(field%name)
         if (number%first > 0) then
             call faults%add(new_fault(severity%error, field%first + number%first - 1, &
-                field%first + number%last - 1, name//': '//number%trouble))
+                field%first + number%last - 1, trim(field%name)//': '//number%trouble))
             return
         end if
-        if (number%is_blank .or. field%form == 'I') return
+        if (field%form == 'I' .or. number%value%digits == 0) return
+        if (number%has_point .and. .not. number%has_filled_blank) return
         reason = ''
-        if (.not. number%has_point .and. number%value%digits /= 0) then
+        if (.not. number%has_point) then
             reason = 'no point was punched, so the last '//to_text(field%decimals)// &
                 ' columns are decimals'
         end if
-        if (number%has_filled_blank .and. number%value%digits /= 0) then
+        if (number%has_filled_blank) then
             if (reason /= '') reason = reason//' and '
             reason = reason//'a blank after a figure is a zero'
         end if
-        if (reason == '') return
         call faults%add(new_fault(severity%remark, field%first, field%last, &
-            name//' is read as '//compact(to_real(number%value))//': '//reason))
+            trim(field%name)//' is read as '//compact(to_real(number%value))//': '//reason))
     end subroutine field_faults
 
     !> Faults of the points and increments against each other.

@@ -63,13 +63,13 @@ contains
         type(state_type) :: state
         integer :: i, first, last
 
-        number%is_blank = field == ''
+        last = len_trim(field)
+        number%is_blank = last == 0
         if (number%is_blank) return
         first = verify(field, ' ')
-        last = len_trim(field)
         state%is_whole = implied < 0
         do i = 1, len(field)
-            call take(number, state, upper(field(i:i)), i)
+            call take(number, state, field(i:i), i)
             if (number%first > 0) return
         end do
         if (state%met == 0) then
@@ -85,7 +85,7 @@ contains
     pure subroutine take(number, state, letter, i)
         type(number_type), intent(inout) :: number !! the number so far
         type(state_type), intent(inout) :: state   !! where its reading stands
-        character, intent(in) :: letter            !! the character, upper case
+        character, intent(in) :: letter            !! the character
         integer, intent(in) :: i                   !! its place in the field
 
         select case (letter)
@@ -104,10 +104,10 @@ contains
             call take_point(number, state, i)
         case ('+', '-')
             call take_sign(number, state, merge(-1, 1, letter == '-'), i)
-        case ('E', 'D')
+        case ('E', 'D', 'e', 'd')
             call take_power(number, state, i)
         case default
-            call blame_stranger(number, i, letter)
+            call blame_stranger(number, i, upper(letter))
         end select
     end subroutine take
 

@@ -2,10 +2,11 @@
 !> its conic, its equations, and the rows of its tables. It needs nothing of any other card, so
 !> blocks can be made side by side.
 module report_card_block
-    use base_digits, only: fixed, put_scientific, scientific, widest_scientific
+    use base_digits, only: put_fixed, put_scientific, scientific, widest_scientific
+    use base_figures, only: put_text, put_whole
     use base_kinds, only: dp, i64
     use base_output, only: output_type
-    use base_text, only: characters, first_bytes, printable, row_of, to_text, upper
+    use base_text, only: characters, first_bytes, printable, upper
     use body_card_facts, only: card_facts_type
     use deck_conic_card, only: conic_card_type
     use deck_layout, only: conic_fields, last_read_column
@@ -19,8 +20,11 @@ module report_card_block
 
     public :: card_block_type
 
-    !> Decimals of lengths; figures of coefficients.
-    integer, parameter :: length_decimals = 4, coefficient_figures = 16
+    !> Decimals of lengths, of rho and of shifts; figures of coefficients.
+    integer, parameter :: length_decimals = 4, rho_decimals = 6, shift_decimals = 3
+    integer, parameter :: coefficient_figures = 16
+    !> Columns for a line whose numbers are of any size.
+    integer, parameter :: line_room = 2*page_columns
 
     !> The block of a card.
     type :: card_block_type
@@ -65,11 +69,11 @@ contains
         end do
     end subroutine make
 
-    !> Puts a line before the tables. A control byte shows as `?`.
+    !> Puts a line before the tables, without the blanks at its end.
     subroutine line(block, text)
         class(card_block_type), intent(inout) :: block !! the block
         character(*), intent(in) :: text               !! the line
-        call block%text%line(trim(printable(text)))
+        call block%text%line(text(:len_trim(text)))
         block%front = block%front + 1
     end subroutine line
 
@@ -78,79 +82,120 @@ contains
         type(card_block_type), intent(inout) :: block !! gets the lines
         type(conic_card_type), intent(in) :: card   !! the card
         character(page_columns) :: names
-        character(:), allocatable :: head, place
         integer :: i
 
+        call put_name(block, card)
         names = ''
         do i = 1, size(conic_fields)
             names(conic_fields(i)%first:conic_fields(i)%last) = conic_fields(i)%name
         end do
-        head = 'CARD '//to_text(card%count)//'   '//card%label
-        place = '  LINE '//to_text(card%line)
-        head = head(:first_bytes(head, page_columns - len(place)))
-        call block%line(head//row_of(' ', page_columns - characters(head) - len(place))//place)
         call block%line(names)
-        call block%line(card%image(:last_read_column))
+        call block%line(printable(card%image(:last_read_column)))
         call block%line('')
     end subroutine put_echo
+
+    !> Puts number, name and line of a card. A long name is cut. Its characters are counted, not its
+    !> bytes, since it may be in UTF-8; a control byte shows as `?`.
+    subroutine put_name(block, card)
+        type(card_block_type), intent(inout) :: block !! gets the line
+        type(conic_card_type), intent(in) :: card   !! the card
+        character(*), parameter :: blanks = repeat(' ', page_columns)
+        character(32) :: number, place
+        integer :: next, behind, room
+        integer(i64) :: kept
+
+        next = 1
+        call put_text('CARD ', number, next)
+        call put_whole(card%count, number, next)
+        call put_text('   ', number, next)
+        behind = 1
+        call put_text('  LINE ', place, behind)
+        call put_whole(card%line, place, behind)
+        room = page_columns - (next - 1) - (behind - 1)
+        kept = int(first_bytes(card%label, room), i64)
+        call block%text%put(number(:next - 1))
+        if (kept > 0) call block%text%put(printable(card%label(:kept)))
+        call block%text%put(blanks(:int(room - characters(card%label(:kept)), i64)))
+        call block%text%line(place(:behind - 1))
+        block%front = block%front + 1
+    end subroutine put_name
 
     !> Puts what kind of conic it is.
     subroutine put_conic(block, facts)
         type(card_block_type), intent(inout) :: block !! gets the lines
         type(card_facts_type), intent(in) :: facts  !! of a card with an arc
-        character(:), allocatable :: text
-        character(16) :: figures
+        character(line_room) :: text
+        integer :: next
 
-        text = upper(kind_name(facts%conic%kind))
-        if (facts%conic%kind == conic_kind%line) text = 'STRAIGHT LINE'
-        if (facts%conic%kind /= conic_kind%line) then
-            figures = fixed(rho(facts%arc), 16, 6)
-            text = text//'   RHO '//trim(adjustl(figures))
+        next = 1
+        if (facts%conic%kind == conic_kind%line) then
+            call put_text('STRAIGHT LINE', text, next)
+        else
+            call put_text(upper(kind_name(facts%conic%kind)), text, next)
+            call put_text('   RHO ', text, next)
+            call put_fixed(rho(facts%arc), rho_decimals, text, next)
         end if
         if (facts%has_length) then
-            figures = fixed(facts%length, 16, length_decimals)
-            text = text//'   LENGTH '//trim(adjustl(figures))
+            call put_text('   LENGTH ', text, next)
+            call put_fixed(facts%length, length_decimals, text, next)
         end if
-        if (turns_past_180(facts%arc)) text = text//'   TURNS BY MORE THAN 180 DEGREES'
-        call block%line(text)
+        if (turns_past_180(facts%arc)) &
+            call put_text('   TURNS BY MORE THAN 180 DEGREES', text, next)
+        call block%line(text(:next - 1))
     end subroutine put_conic
 
     !> Puts the general equation with the residuals of the three points.
     subroutine put_equation(block, facts)
         type(card_block_type), intent(inout) :: block !! gets the lines
         type(card_facts_type), intent(in) :: facts  !! of a card with an arc
-        character(10) :: left(3)
-        integer :: i
+        character(line_room) :: text
+        integer :: next
 
         call block%line('EQUATION, POINT 1 AS ORIGIN: A XX + B XY + C YY + D X + E Y + F = 0')
         call put_coefficients(block, facts%conic%coefficient)
-        do i = 1, size(left)
-            left(i) = scientific(facts%residual(i), len(left), 2)
-        end do
-        call block%line('  LEFT SIDE AT POINT 1 '//left(1)//'   AT 2 '//left(2)// &
-            '   AT 3 '//left(3))
+        next = 1
+        call put_text('  LEFT SIDE AT POINT 1 ', text, next)
+        call put_estimate(facts%residual(1), text, next)
+        call put_text('   AT 2 ', text, next)
+        call put_estimate(facts%residual(2), text, next)
+        call put_text('   AT 3 ', text, next)
+        call put_estimate(facts%residual(3), text, next)
+        call block%line(text(:next - 1))
     end subroutine put_equation
 
     !> Puts the equation in the frame of the 1970 program, or that it has none.
     subroutine put_shifted(block, facts)
         type(card_block_type), intent(inout) :: block !! gets the lines
         type(card_facts_type), intent(in) :: facts  !! of a card with an arc
-        character(16) :: shift
-        character(10) :: condition, difference
+        character(line_room) :: text
+        integer :: next
 
-        shift = adjustl(fixed(facts%shifted%shift, 16, 3))
-        call block%line('THE SAME FROM FIVE EQUATIONS, X AND Y PLUS '//trim(shift)// &
-            ': A XX + ... + E Y = -1')
+        next = 1
+        call put_text('THE SAME FROM FIVE EQUATIONS, X AND Y PLUS ', text, next)
+        call put_fixed(facts%shifted%shift, shift_decimals, text, next)
+        call put_text(': A XX + ... + E Y = -1', text, next)
+        call block%line(text(:next - 1))
         if (.not. facts%has_shifted) then
             call block%line('  THE FIVE EQUATIONS HAVE NO UNIQUE SOLUTION')
             return
         end if
         call put_coefficients(block, facts%shifted%coefficient)
-        condition = scientific(1.0_dp/facts%shifted%rcond, len(condition), 2)
-        difference = scientific(facts%difference, len(difference), 2)
-        call block%line('  CONDITION '//condition// &
-            '   LARGEST DISTANCE FROM THE ARC '//difference)
+        next = 1
+        call put_text('  CONDITION ', text, next)
+        call put_estimate(1.0_dp/facts%shifted%rcond, text, next)
+        call put_text('   LARGEST DISTANCE FROM THE ARC ', text, next)
+        call put_estimate(facts%difference, text, next)
+        call block%line(text(:next - 1))
     end subroutine put_shifted
+
+    !> Puts a number of which only the size matters, right in its columns.
+    subroutine put_estimate(value, text, next)
+        real(dp), intent(in) :: value           !! any number
+        character(*), intent(inout) :: text     !! gets it
+        integer, intent(inout) :: next          !! its first column; behind it on return
+        integer, parameter :: room = 10, figures = 2
+        call put_text(scientific(value, room, figures), text, next)
+    end subroutine put_estimate
 
     !> Puts coefficients by name, three on a line.
     subroutine put_coefficients(block, coefficient)

@@ -83,7 +83,7 @@ contains
         character(page_columns) :: head(2)
 
         head(1) = 'BY STEPS OF '//merge('X', 'Y', block%axis(i) == 1)
-        head(2) = row_heads()
+        head(2) = row_heads
         call page%blank(out)
         call page%set_columns(out, head)
         call page%equal_lines(out, block%text, done, row_columns + 1, block%rows(i))

@@ -4,7 +4,7 @@ module report_page
     use base_constants, only: version
     use base_kinds, only: i64
     use base_output, only: output_type
-    use base_text, only: characters, first_bytes, printable, row_of, to_text
+    use base_text, only: characters, first_bytes, printable, to_text
     implicit none (type, external)
     private
 
@@ -31,6 +31,7 @@ module report_page
         integer :: used = widest_page*page_lines !! lines of this one filled; none is begun
         integer :: heads = 0                    !! lines of column heading in force
         character(widest_page) :: head(most_heads)
+        integer(i64) :: filled(most_heads) = 0  !! columns of each, without blanks at its end
     contains
         procedure :: set_heading
         procedure :: set_size
@@ -43,7 +44,6 @@ module report_page
         procedure :: equal_lines
         procedure :: set_columns
         procedure :: end_columns
-        procedure, private :: spread_out
     end type page_type
 
 contains
@@ -161,11 +161,23 @@ contains
         page%heads = 0
         call page%keep(out, size(head) + 2)
         page%heads = size(head)
-        page%head(:page%heads) = head
         do i = 1, page%heads
-            call page%line(out, page%head(i))
+            page%head(i) = printable(head(i))
+            page%filled(i) = len_trim(page%head(i), i64)
         end do
+        call put_heads(page, out)
     end subroutine set_columns
+
+    !> Prints the column heading in force; there is room for it.
+    subroutine put_heads(page, out)
+        class(page_type), intent(inout) :: page !! the listing
+        type(output_type), intent(inout) :: out !! where it goes
+        integer :: i
+        do i = 1, page%heads
+            call out%line(page%head(i)(:page%filled(i)))
+        end do
+        page%used = page%used + page%heads
+    end subroutine put_heads
 
     !> Ends the table whose column heading is in force.
     subroutine end_columns(page)
@@ -177,39 +189,45 @@ contains
     subroutine turn(page, out)
         class(page_type), intent(inout) :: page !! the listing
         type(output_type), intent(inout) :: out !! where it goes
-        character(:), allocatable :: mark
-        integer :: i
 
         page%number = page%number + 1
         if (page%number > 1) call out%put(achar(12))
-        mark = 'PAGE '//to_text(page%number)
-        call out%line(page%spread_out(page%title, '', mark))
-        call out%line(page%spread_out(page%deck, page%units, 'LOFT '//version))
+        call put_spread(page, out, page%title, '', 'PAGE '//to_text(page%number))
+        call put_spread(page, out, page%deck, page%units, 'LOFT '//version)
         call out%line('')
-        page%used = 3 + page%heads
-        do i = 1, page%heads
-            call out%line(trim(page%head(i)))
-        end do
+        page%used = 3
+        call put_heads(page, out)
     end subroutine turn
 
-    !> Three texts on one line of a page: left, middle, right. The left text is cut where there is
-    !> no room for it. Its characters are counted, not its bytes, since a title may be in UTF-8.
-    pure function spread_out(page, left, middle, right) result(text)
-        class(page_type), intent(in) :: page !! the listing
-        character(*), intent(in) :: left   !! begins the line
-        character(*), intent(in) :: middle !! about column 40, or nothing
-        character(*), intent(in) :: right  !! ends the line
-        character(:), allocatable :: text
-        integer :: room
+    !> Puts three texts on one line of a page: left, middle, right. The left text is cut where there
+    !> is no room for it. Its characters are counted, not its bytes, since a title may be in UTF-8.
+    subroutine put_spread(page, out, left, middle, right)
+        type(page_type), intent(in) :: page     !! the listing
+        type(output_type), intent(inout) :: out !! where it goes
+        character(*), intent(in) :: left        !! begins the line
+        character(*), intent(in) :: middle      !! about column 40, or nothing
+        character(*), intent(in) :: right       !! ends the line
+        character(*), parameter :: blanks = repeat(' ', widest_page)
+        integer :: room, used
 
         room = page%columns - len(right) - 1
         if (middle /= '') room = room - len(middle) - 2
-        text = left
-        if (characters(text) > room) text = text(:first_bytes(text, room - len(cut)))//cut
-        if (middle /= '') then
-            text = text//row_of(' ', max(2, page%columns/2 - characters(text)))//middle
+        used = characters(left)
+        if (used <= room) then
+            call out%put(left)
+        else
+            call out%put(left(:first_bytes(left, room - len(cut))))
+            call out%put(cut)
+            used = room
         end if
-        text = text//row_of(' ', page%columns - characters(text) - len(right))//right
-    end function spread_out
+        if (middle /= '') then
+            room = max(2, page%columns/2 - used)
+            call out%put(blanks(:int(room, i64)))
+            call out%put(middle)
+            used = used + room + characters(middle)
+        end if
+        call out%put(blanks(:int(page%columns - used - len(right), i64)))
+        call out%line(right)
+    end subroutine put_spread
 
 end module report_page

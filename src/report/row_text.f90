@@ -8,10 +8,10 @@
 !> any decimal; the exact row is made for the others, some one in a million. The radius of curvature
 !> is positive where the curve turns left on the way from point 1 to point 3.
 module report_row_text
+    use base_column, only: put_column
     use base_constants, only: degrees, pi
     use base_digits, only: fixed
     use base_exact, only: is_zero
-    use base_figures, only: put_units
     use base_kinds, only: dp, i64
     use base_output, only: output_type
     use base_text, only: right
@@ -23,33 +23,30 @@ module report_row_text
     implicit none (type, external)
     private
 
-    public :: put_rows, row_text, row_heads
+    public :: put_rows, row_text
 
     !> Columns of a row.
     integer, parameter, public :: row_columns = 76
+    !> The line above a table.
+    character(row_columns), parameter, public :: row_heads = repeat(' ', 13)//'X'// &
+        repeat(' ', 13)//'Y'//repeat(' ', 9)//'SLOPE'//repeat(' ', 7)//'ANGLE'// &
+        repeat(' ', 3)//'RADIUS OF CURVATURE'
     !> The five figures of a row.
     integer, parameter :: figures = 5
     !> Their last columns, and their decimals.
     integer, parameter :: last_column(figures) = [14, 28, 42, 54, row_columns]
     integer, parameter :: decimals(figures) = [4, 4, 6, 4, 4]
+    real(dp), parameter :: tens(figures) = 10.0_dp**decimals
     !> A row without its figures.
     character(*), parameter :: empty_row = repeat(' ', row_columns)//achar(10)
 
     !> Rows as whole numbers of their last decimals.
     type :: settled_type
-        integer(i64) :: units(rows_at_once, figures) = 0          !! magnitudes
-        logical :: is_negative(rows_at_once, figures) = .false.   !! a minus stands before them
-        logical :: is_sure(rows_at_once) = .false.                !! false: they may be off
+        integer(i64) :: units(rows_at_once, figures) = 0    !! signed
+        logical :: is_sure(rows_at_once) = .false.          !! false: they may be off
     end type settled_type
 
 contains
-
-    !> The line above a table.
-    pure function row_heads() result(text)
-        character(row_columns) :: text
-        text = right('X', 14)//right('Y', 14)//right('SLOPE', 14)//right('ANGLE', 12)// &
-            right('RADIUS OF CURVATURE', 22)
-    end function row_heads
 
     !> Puts all rows of a table, each `row_columns` and a line feed.
     subroutine put_rows(contour, out)
@@ -73,11 +70,11 @@ contains
         type(quick_type), intent(in) :: quick     !! its arc
         integer, intent(in) :: i                  !! which stretch
         type(output_type), intent(inout) :: out   !! gets the lines
-        character(len(empty_row)) :: lines(rows_at_once)
+        character(rows_at_once*len(empty_row)) :: lines
         type(quick_rows_type) :: rows
         type(settled_type) :: settled
         integer(i64) :: first, last, k
-        integer :: j
+        integer :: j, count
 
         first = merge(0_i64, 1_i64, i == 1)
         last = contour%stretch(i)%count
@@ -88,33 +85,22 @@ contains
                 call put_ordinates(contour, i, first, rows%stepped)
                 call find_rows(quick, contour%stretch(i)%rising, rows)
                 call settle(rows, contour%axis, settled)
+                call put_settled(settled, lines)
                 if (contour%stretch(i)%touches) then
                     k = contour%stretch(i)%count + 1 - first
                     if (k < rows_at_once) settled%is_sure(k + 1) = .false.
                 end if
             end if
-            do j = 1, int(min(last - first + 1, int(rows_at_once, i64)))
-                if (settled%is_sure(j)) then
-                    call put_row(settled, j, lines(j))
-                else
-                    lines(j) = row_text(contour%row(i, first + int(j - 1, i64)))//new_line('a')
-                end if
+            count = int(min(last - first + 1, int(rows_at_once, i64)))
+            do j = 1, count
+                if (settled%is_sure(j)) cycle
+                lines((j - 1)*len(empty_row) + 1:j*len(empty_row)) = &
+                    row_text(contour%row(i, first + int(j - 1, i64)))//new_line('a')
             end do
-            call put_lines(lines, j - 1, out)
+            call out%put(lines(:count*len(empty_row)))
             first = first + rows_at_once
         end do
     end subroutine put_stretch
-
-    !> Puts lines of equal length.
-    subroutine put_lines(lines, count, out)
-        character(*), intent(in) :: lines(:)    !! line feeds included
-        integer, intent(in) :: count            !! how many
-        type(output_type), intent(inout) :: out !! gets them
-        integer :: i
-        do i = 1, count
-            call out%put(lines(i))
-        end do
-    end subroutine put_lines
 
     !> The stepped ordinates of rows one after the other; beyond the last step, that of the finish.
     subroutine put_ordinates(contour, i, first, ordinate)
@@ -134,12 +120,13 @@ contains
         end associate
     end subroutine put_ordinates
 
-    !> Rounds rows to their decimals.
+    !> Rounds rows to their decimals; rows that are not sure of them are zero.
     pure subroutine settle(rows, axis, settled)
         type(quick_rows_type), intent(in) :: rows   !! the rows
         integer, intent(in) :: axis                 !! 1: x is stepped, 2: y
         type(settled_type), intent(inout) :: settled !! gets their decimals
         real(dp) :: worst(rows_at_once), known(rows_at_once)
+        integer :: i
 
         worst = 0.0_dp
         known = 0.0_dp
@@ -154,6 +141,10 @@ contains
         call round_figures(rows%angle, rows%angle_doubt, 4, settled, worst)
         call round_figures(rows%radius, rows%radius_doubt, 5, settled, worst)
         settled%is_sure = worst < 0.5_dp
+        if (all(settled%is_sure)) return
+        do i = 1, rows_at_once
+            if (.not. settled%is_sure(i)) settled%units(i, :) = 0
+        end do
     end subroutine settle
 
     !> Rounds one figure of all rows. Each row keeps how near to a half, with all that it may be
@@ -164,37 +155,36 @@ contains
         integer, intent(in) :: figure                   !! which of the row
         type(settled_type), intent(inout) :: settled    !! gets its decimals
         real(dp), intent(inout) :: worst(rows_at_once)  !! see above
-        real(dp), parameter :: whole_only = 2.0_dp**52, most = 1.0e12_dp
-        real(dp) :: scaled, whole(rows_at_once), ten
+        real(dp), parameter :: whole_only = 1.5_dp*2.0_dp**52, most = 1.0e12_dp
+        real(dp) :: scaled, rounded, ten
         integer :: i
 
-        ten = 10.0_dp**decimals(figure)
+        ten = tens(figure)
         do i = 1, rows_at_once
-            scaled = abs(value(i))*ten
-            ! Adding a number without bits behind the point rounds.
-            whole(i) = (min(scaled, most) + whole_only) - whole_only
-            worst(i) = max(worst(i), scaled*(0.5_dp/most), &
-                abs(scaled - whole(i)) + doubt(i)*ten + 2.0_dp*epsilon(scaled)*scaled)
-        end do
-        do i = 1, rows_at_once
-            settled%units(i, figure) = int(whole(i), i64)
-            settled%is_negative(i, figure) = value(i) < 0.0_dp .and. whole(i) > 0.0_dp
+            scaled = min(max(value(i)*ten, -most), most)
+            ! Adding a number without bits behind the point rounds; its last bits are the whole
+            ! number then.
+            rounded = scaled + whole_only
+            settled%units(i, figure) = transfer(rounded, 1_i64) - transfer(whole_only, 1_i64)
+            worst(i) = max(worst(i), abs(scaled)*(0.5_dp/most), &
+                abs(scaled - (rounded - whole_only)) + doubt(i)*ten + &
+                2.0_dp*epsilon(scaled)*abs(scaled))
         end do
     end subroutine round_figures
 
-    !> Writes a row, from its end: the columns before a figure are the room of the one before it.
-    pure subroutine put_row(settled, i, line)
+    !> Writes rows, from their ends: the columns before a figure are the room of the one before it.
+    pure subroutine put_settled(settled, lines)
         type(settled_type), intent(in) :: settled       !! the rows
-        integer, intent(in) :: i                        !! which
-        character(len(empty_row)), intent(out) :: line  !! gets it
+        character(*), intent(inout) :: lines            !! gets them, one after the other
+        character(*), parameter :: empty_rows = repeat(empty_row, rows_at_once)
         integer :: figure
 
-        line = empty_row
+        lines = empty_rows
         do figure = figures, 1, -1
-            call put_units(settled%units(i, figure), settled%is_negative(i, figure), &
-                decimals(figure), line, last_column(figure))
+            call put_column(settled%units(:, figure), decimals(figure), last_column(figure), &
+                len(empty_row), lines)
         end do
-    end subroutine put_row
+    end subroutine put_settled
 
     !> A row of exact figures.
     pure function row_text(row) result(text)

@@ -3,7 +3,7 @@
 program test_digits
     use base_kinds, only: dp, i64
     use base_text, only: to_text
-    use base_digits, only: fixed, scientific, shortest
+    use base_digits, only: fixed, put_fixed, scientific, shortest
     use support_random, only: random_type
     use support_tap, only: tap_type
     implicit none (type, external)
@@ -25,6 +25,9 @@ contains
 
     !> Fixed decimals by hand.
     subroutine check_fixed()
+        character(40) :: line
+        integer :: next
+
         call tap%same(fixed(11.9_dp, 9, 3), '   11.900', 'a number stands at the right')
         call tap%same(fixed(-0.5_dp, 9, 3), '   -0.500', 'a zero stands before the point')
         call tap%same(fixed(0.0_dp, 9, 3), '    0.000', 'zero is a plain zero')
@@ -42,6 +45,14 @@ contains
         call tap%same(fixed(-123456.789_dp, 14, 9), '  -1.23457E+05', 'or as many')
         call tap%same(fixed(huge(1.0_dp), 12, 3), '  1.798E+308', 'the largest number fits')
         call tap%same(fixed(-huge(1.0_dp), 9, 3), ' -2.E+308', 'in any columns')
+        line = 'ab'
+        next = 3
+        call put_fixed(-7.1_dp, 3, line, next)
+        call put_fixed(0.5_dp, 0, line, next)
+        call tap%same(line(:next), 'ab-7.1000. ', 'numbers one behind the other')
+        next = 1
+        call put_fixed(1.0e20_dp, 3, line, next)
+        call tap%same(line(:next - 1), '1.0000000E+20', 'a long one has a power of ten')
     end subroutine check_fixed
 
     !> Random numbers against the F format with a zero before the point.

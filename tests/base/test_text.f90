@@ -55,6 +55,7 @@ contains
         call tap%same(to_text(-huge(1)), '-2147483647', 'a whole number below zero')
         call tap%same(to_text(huge(1_i64)), '9223372036854775807', 'the largest long one')
         call tap%same(to_text(-huge(1_i64)), '-9223372036854775807', 'a long one below zero')
+        call tap%same(to_text(-huge(1_i64) - 1_i64), '-9223372036854775808', 'the least one')
         call tap%same(counted(1_i64, 'card'), '1 card', 'one card')
         call tap%same(counted(0_i64, 'card'), '0 cards', 'no cards')
         call tap%same(counted(3000000000_i64, 'card'), '3000000000 cards', 'very many cards')

@@ -27,7 +27,7 @@ program test_row_text
     call check_arc(line_between([1.0_dp, 0.0_dp], [1.0_dp, 4.0_dp]), 1, -3)
     call tap%ok(rows > 50000, 'many rows of random arcs')
     call tap%ok(wrong == 0, 'each has the characters of its exact row')
-    heads = row_heads()
+    heads = row_heads
     call tap%same(heads(row_columns:), 'E', 'the heads end where the rows do')
     call tap%finish()
 
