@@ -15,7 +15,7 @@ for object in "$objects"/src/geom/*.o "$objects"/src/body/*.o "$objects"/src/bas
     "$objects"/src/cut/*.o "$objects"/src/deck/conic_card.o "$objects"/src/deck/number.o \
     "$objects"/src/period/*.o "$objects"/src/report/card_block.o "$objects"/src/report/csv.o \
     "$objects"/src/report/row_text.o "$objects"/src/app/run_card.o "$objects"/src/base/digits.o \
-    "$objects"/src/base/shortest.o "$objects"/src/base/fault.o; do
+    "$objects"/src/base/shortest.o "$objects"/src/base/fault.o "$objects"/src/base/column.o; do
     # Patches are built by one thread; a sweep has none.
     case $object in */build_sides.o) continue ;; esac
     nm "$object" 2> /dev/null | awk -v object="${object##*/src/}" \

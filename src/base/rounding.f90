@@ -139,7 +139,6 @@ contains
         integer(i64), intent(inout) :: figures !! a positive whole number
         integer, intent(inout) :: power        !! the power of ten behind it
         integer(i64), parameter :: ten_to_eight = 100000000_i64
-
         do while (mod(figures, ten_to_eight) == 0)
             figures = figures/ten_to_eight
             power = power + 8

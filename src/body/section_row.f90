@@ -9,7 +9,7 @@ module body_section_row
     use geom_arc_row, only: arc_row_type
     use geom_chain_row, only: jet_row_type, row_jets
     use geom_through_row, only: arcs_through, end_row_type
-    use geom_twofold_row, only: width
+    use geom_twofold_short, only: width
     implicit none (type, external)
     private
 

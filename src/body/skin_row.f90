@@ -3,7 +3,7 @@ module body_skin_row
     use base_kinds, only: dp
     use body_surface_row, only: patch_row_type, row_forms, row_gradients
     use body_taylor_row, only: taylor_row_type
-    use geom_twofold_row, only: width
+    use geom_twofold_short, only: width
     implicit none (type, external)
     private
 

@@ -5,7 +5,7 @@ module body_surface_row
     use body_taylor_row, only: cross, operator(*), operator(-), taylor_row_type
     use geom_chain_row, only: jet_row_type
     use geom_jet, only: jet_type
-    use geom_twofold_row, only: width
+    use geom_twofold_short, only: width
     implicit none (type, external)
     private
 

@@ -2,7 +2,7 @@
 !> done on all numbers of a row, in loops that the compiler turns into vector instructions.
 module body_taylor_row
     use base_kinds, only: dp
-    use geom_twofold_row, only: width
+    use geom_twofold_short, only: width
     implicit none (type, external)
     private
 

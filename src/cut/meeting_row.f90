@@ -10,7 +10,7 @@ module cut_meeting_row
     use cut_plane, only: plane_type
     use geom_arc_row, only: arc_row_type, place_row_type
     use geom_twofold, only: twofold, twofold_type
-    use geom_twofold_row, only: chosen, exact_row, negative, number_of, operator(*), &
+    use geom_twofold_short, only: chosen, exact_row, negative, number_of, operator(*), &
         operator(+), operator(-), row_of, row_type, scaled, sqrt, square, width
     implicit none (type, external)
     private

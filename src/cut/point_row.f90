@@ -16,7 +16,7 @@ module cut_point_row
     use geom_arc_row, only: arc_row_type, place_row, place_row_type, repeated_arc, &
         row_curvatures, row_points, row_tangents
     use geom_place, only: place_type
-    use geom_twofold_row, only: width
+    use geom_twofold_short, only: width
     implicit none (type, external)
     private
 

@@ -15,7 +15,7 @@ module cut_track_row
     use cut_request, only: cut_fact, request_type
     use cut_track, only: track_type
     use geom_arc_row, only: arc_row_type, place_of_row, place_row_type, row_points, row_tangents
-    use geom_twofold_row, only: width
+    use geom_twofold_short, only: width
     implicit none (type, external)
     private
 

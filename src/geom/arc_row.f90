@@ -4,7 +4,7 @@ module geom_arc_row
     use base_kinds, only: dp
     use geom_arc, only: arc_type
     use geom_place, only: place_type
-    use geom_twofold_row, only: number_of, operator(*), operator(+), operator(-), &
+    use geom_twofold_short, only: number_of, operator(*), operator(+), operator(-), &
         operator(/), repeated, row_of, row_type, scaled, sqrt, square, width
     implicit none (type, external)
     private

@@ -7,7 +7,7 @@ module geom_arc_rows
     use geom_arc_point, only: slope_along, slope_type
     use geom_place, only: place_type
     use geom_twofold, only: operator(-), twofold, twofold_type
-    use geom_twofold_rows, only: exact_difference, operator(*), operator(+), operator(-), &
+    use geom_twofold_same, only: exact_difference, operator(*), operator(+), operator(-), &
         operator(/), rows_at_once, rows_type, selected, sqrt, to_real
     use geom_vector, only: cross
     implicit none (type, external)

@@ -8,7 +8,7 @@ module geom_chain_row
     use geom_jet, only: jet_type
     use geom_ordinate_row, only: row_ordinates
     use geom_stroke, only: stroke_kind, stroke_type
-    use geom_twofold_row, only: width
+    use geom_twofold_short, only: width
     implicit none (type, external)
     private
 

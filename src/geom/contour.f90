@@ -12,7 +12,7 @@ module geom_contour
     use geom_crossing, only: crossing
     use geom_place, only: at_finish, at_start, place_type
     use geom_stretch, only: divide, stretch_type
-    use geom_twofold_rows, only: rows_at_once
+    use geom_twofold_same, only: rows_at_once
     implicit none (type, external)
     private
 

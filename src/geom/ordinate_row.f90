@@ -6,7 +6,7 @@ module geom_ordinate_row
     use geom_arc, only: arc_type
     use geom_arc_row, only: place_row_type
     use geom_twofold, only: operator(*), operator(-), twofold, twofold_type
-    use geom_twofold_row, only: chosen, exact_row, operator(*), operator(+), operator(-), &
+    use geom_twofold_short, only: chosen, exact_row, operator(*), operator(+), operator(-), &
         operator(/), row_type, scaled, sqrt, square, width
     implicit none (type, external)
     private

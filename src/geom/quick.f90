@@ -20,7 +20,7 @@ module geom_quick
     use base_kinds, only: dp
     use geom_arc, only: arc_type
     use geom_twofold, only: operator(-), to_real
-    use geom_twofold_rows, only: rows_at_once
+    use geom_twofold_same, only: rows_at_once
     use geom_vector, only: cross
     implicit none (type, external)
     private

@@ -11,7 +11,7 @@ module geom_shifted
     use geom_arc, only: arc_type, end_type
     use geom_arc_rows, only: coordinates, places_type, terms_of, terms_type
     use geom_five, only: solve_five
-    use geom_twofold_rows, only: exact_difference, rows_at_once
+    use geom_twofold_same, only: exact_difference, rows_at_once
     implicit none (type, external)
     private
 

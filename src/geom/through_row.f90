@@ -5,7 +5,7 @@ module geom_through_row
     use base_tolerances, only: decimal_noise, ulp
     use geom_arc_row, only: arc_row_type
     use geom_twofold, only: twofold_type
-    use geom_twofold_row, only: chosen, exact_row, negative, operator(*), operator(+), &
+    use geom_twofold_short, only: chosen, exact_row, negative, operator(*), operator(+), &
         operator(-), operator(/), row_of, row_type, scaled, sqrt, width
     implicit none (type, external)
     private

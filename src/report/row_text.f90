@@ -19,7 +19,7 @@ module report_row_text
     use geom_contour, only: contour_point, contour_point_type, contour_type
     use geom_place, only: at_finish, at_start
     use geom_quick, only: find_rows, new_quick, quick_rows_type, quick_type
-    use geom_twofold_rows, only: rows_at_once
+    use geom_twofold_same, only: rows_at_once
     implicit none (type, external)
     private
 

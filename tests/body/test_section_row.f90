@@ -10,7 +10,7 @@ program test_section_row
     use body_surface_row, only: patch_row_type
     use geom_arc, only: arc_type
     use geom_arc_row, only: arc_row_type
-    use geom_twofold_row, only: width
+    use geom_twofold_short, only: width
     use support_bodies, only: ellipsoid, nose_of_the_book
     use support_tap, only: tap_type
     implicit none (type, external)

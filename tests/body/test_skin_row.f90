@@ -10,7 +10,7 @@ program test_skin_row
     use geom_arc, only: arc_type
     use geom_arc_point, only: point, tangent
     use geom_place, only: place_at
-    use geom_twofold_row, only: width
+    use geom_twofold_short, only: width
     use support_bodies, only: ellipsoid
     use support_tap, only: tap_type
     implicit none (type, external)

@@ -11,7 +11,7 @@ program test_surface_row
     use geom_arc, only: arc_type
     use geom_arc_point, only: point
     use geom_place, only: place_at
-    use geom_twofold_row, only: width
+    use geom_twofold_short, only: width
     use support_bodies, only: nose_of_the_book
     use support_tap, only: tap_type
     implicit none (type, external)

@@ -2,7 +2,7 @@
 program test_taylor_row
     use base_kinds, only: dp
     use body_taylor_row, only: cross, operator(*), operator(-), taylor_row_type
-    use geom_twofold_row, only: width
+    use geom_twofold_short, only: width
     use support_tap, only: tap_type
     implicit none (type, external)
 

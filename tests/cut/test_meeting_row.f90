@@ -14,7 +14,7 @@ program test_meeting_row
     use geom_arc_row, only: arc_row_type, place_of_row, place_row_type
     use geom_place, only: place_type
     use geom_twofold, only: operator(-), to_real
-    use geom_twofold_row, only: width
+    use geom_twofold_short, only: width
     use support_bodies, only: ellipsoid
     use support_tap, only: tap_type
     implicit none (type, external)

@@ -8,7 +8,7 @@ program test_arc_row
     use geom_arc_row, only: arc_row_type, place_of_row, place_row, place_row_type, repeated_arc, &
         row_curvatures, row_points, row_tangents
     use geom_place, only: at_finish, at_start, place_at, place_type
-    use geom_twofold_row, only: width
+    use geom_twofold_short, only: width
     use support_random, only: random_type
     use support_tap, only: tap_type
     implicit none (type, external)

@@ -9,7 +9,7 @@ program test_arc_rows
         terms_of
     use geom_contour, only: contour_point_type, contour_type, new_contour
     use geom_place, only: place_at, place_type
-    use geom_twofold_rows, only: exact_difference, rows_at_once
+    use geom_twofold_same, only: exact_difference, rows_at_once
     use support_random, only: random_type
     use support_random_arcs, only: next_arc
     use support_tap, only: tap_type

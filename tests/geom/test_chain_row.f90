@@ -7,7 +7,7 @@ program test_chain_row
     use geom_chain, only: chain_jet, chain_type, constant_chain, new_chain
     use geom_chain_row, only: jet_row_type, row_jets
     use geom_jet, only: jet_type
-    use geom_twofold_row, only: width
+    use geom_twofold_short, only: width
     use support_tap, only: tap_type
     implicit none (type, external)
 

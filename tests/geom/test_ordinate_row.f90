@@ -7,7 +7,7 @@ program test_ordinate_row
     use geom_crossing, only: crossing
     use geom_ordinate_row, only: row_ordinates
     use geom_place, only: place_type
-    use geom_twofold_row, only: width
+    use geom_twofold_short, only: width
     use support_tap, only: tap_type
     implicit none (type, external)
 

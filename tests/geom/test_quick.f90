@@ -7,7 +7,7 @@ program test_quick
     use geom_arc, only: arc_type, line_between
     use geom_contour, only: contour_point_type, contour_type, new_contour
     use geom_quick, only: find_rows, new_quick, quick_rows_type, quick_type
-    use geom_twofold_rows, only: rows_at_once
+    use geom_twofold_same, only: rows_at_once
     use support_random, only: random_type
     use support_random_arcs, only: next_arc
     use support_tap, only: tap_type

@@ -7,7 +7,7 @@ program test_through_row
     use geom_arc_row, only: arc_row_type
     use geom_through_row, only: arcs_through, end_row_type
     use geom_twofold, only: operator(-), to_real
-    use geom_twofold_row, only: number_of, width
+    use geom_twofold_short, only: number_of, width
     use support_random, only: random_type
     use support_tap, only: tap_type
     implicit none (type, external)

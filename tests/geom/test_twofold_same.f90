@@ -1,9 +1,9 @@
 !> Operations on rows against the same on one number, bit for bit.
-program test_twofold_rows
+program test_twofold_same
     use base_kinds, only: dp, i64
     use geom_twofold, only: exact_sum, operator(*), operator(+), operator(-), operator(/), sqrt, &
         twofold_type
-    use geom_twofold_rows, only: operator(*), operator(+), operator(-), operator(/), &
+    use geom_twofold_same, only: operator(*), operator(+), operator(-), operator(/), &
         rows_at_once, rows_type, sqrt, to_real
     use support_random, only: random_type
     use support_tap, only: tap_type
@@ -55,4 +55,4 @@ contains
             transfer(rows%low, [0_i64]) /= transfer(low, [0_i64]))
     end function differing
 
-end program test_twofold_rows
+end program test_twofold_same

@@ -1,6 +1,7 @@
-!> Twofold numbers of many rows side by side: each operation is that of `geom_twofold` done for all
-!> rows in one loop, in the same order, so that every row has the same bits as worked alone.
-module geom_twofold_rows
+!> Twofold numbers of many rows side by side, the same as alone: each operation is that of
+!> `geom_twofold` done for all rows in one loop, in the same order, so that every row has the bits
+!> that `geom_twofold` gives it. Where sums may be shorter, `geom_twofold_short` is faster.
+module geom_twofold_same
     use base_kinds, only: dp
     use geom_twofold, only: twofold_type
     implicit none (type, external)
@@ -248,4 +249,4 @@ contains
         rest = ((x_head*y_head - product) + x_head*y_tail + x_tail*y_head) + x_tail*y_tail
     end function rest_of_product
 
-end module geom_twofold_rows
+end module geom_twofold_same

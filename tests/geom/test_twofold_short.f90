@@ -1,10 +1,11 @@
 !> Rows of twofold numbers against real128, which holds 113 bits of the 105 or so of a twofold one.
-program test_twofold_row
+program test_twofold_short
     use, intrinsic :: iso_fortran_env, only: real128
     use base_kinds, only: dp
     use geom_twofold, only: twofold_type
-    use geom_twofold_row, only: chosen, exact_row, negative, number_of, operator(*), operator(+), &
-        operator(-), operator(/), repeated, row_of, row_type, scaled, sqrt, square, width
+    use geom_twofold_short, only: chosen, exact_row, negative, number_of, operator(*), &
+        operator(+), operator(-), operator(/), repeated, row_of, row_type, scaled, sqrt, square, &
+        width
     use support_random, only: random_type
     use support_tap, only: tap_type
     implicit none (type, external)
@@ -78,4 +79,4 @@ contains
         part = real(maxval(abs((wide(row) - exact)/measure)), dp)
     end function part
 
-end program test_twofold_row
+end program test_twofold_short

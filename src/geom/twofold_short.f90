@@ -2,11 +2,11 @@
 !> loops that the compiler turns into vector instructions. What takes one number hundreds of
 !> cycles, each operation waiting for the one before, takes a number of a row a few dozen.
 !>
-!> Sums are the short ones: within some 2**-105 of the magnitude of their terms, not of what is
-!> left where these cancel. Formulas on rows must not lean on more.
+!> Sums are short: within some 2**-105 of the magnitude of their terms, not of what is left where
+!> these cancel. Formulas on rows must not lean on more; those that do take `geom_twofold_same`.
 !>
 !> Sources: as of `geom_twofold`; the short sum is `add2` of Dekker.
-module geom_twofold_row
+module geom_twofold_short
     use base_kinds, only: dp
     use geom_twofold, only: twofold_type
     implicit none (type, external)
@@ -279,4 +279,4 @@ contains
         end do
     end function chosen
 
-end module geom_twofold_row
+end module geom_twofold_short
