@@ -22,9 +22,8 @@ module app_run_conics
 
     public :: run_conics
 
-    !> Cards read before any is computed, at most: so few that their lines are still at hand when
-    !> they are written.
-    integer, parameter :: most_cards = 256
+    !> Cards read before any is computed, at most; as many as a block of the source has.
+    integer, parameter :: most_cards = 1024
     !> Fewer cards than this are computed by one thread.
     integer, parameter :: least_shared = 8
 

@@ -95,11 +95,16 @@ contains
         integer, intent(in) :: power        !! power of ten, -999 to 999
         character(*), intent(inout) :: line !! gets it
         integer, intent(inout) :: next      !! the first column; behind the last on return
-        call put_text(letter, line, next)
-        call put_text(merge('-', '+', power < 0), line, next)
-        if (abs(power) >= 100) call put_text(figure(abs(power)/100), line, next)
-        call put_text(figure(mod(abs(power)/10, 10)), line, next)
-        call put_text(figure(mod(abs(power), 10)), line, next)
+        character(5) :: text
+        integer :: used
+
+        used = merge(5, 4, abs(power) >= 100)
+        text(1:1) = letter
+        text(2:2) = merge('-', '+', power < 0)
+        text(3:3) = figure(abs(power)/100)
+        text(used - 1:used - 1) = figure(mod(abs(power)/10, 10))
+        text(used:used) = figure(mod(abs(power), 10))
+        call put_text(text(:used), line, next)
     end subroutine put_power
 
     !> A figure.
