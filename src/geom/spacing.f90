@@ -210,19 +210,18 @@ contains
         way(1) = sum(way(2::2)) - sum(way(3::2))
     end function integral
 
-    !> A series at some numbers from -1 to 1 (Clenshaw).
+    !> A series at some numbers from -1 to 1 (Clenshaw), two terms at a time.
     pure function values(term, x) result(value)
         real(dp), intent(in) :: term(nodes) !! of the series
         real(dp), intent(in) :: x(nodes)    !! where
         real(dp) :: value(nodes), next(nodes), after(nodes)
         integer :: k
 
-        next = 0.0_dp
+        next = term(nodes)
         after = 0.0_dp
-        do k = nodes, 2, -1
-            value = term(k) + 2.0_dp*x*next - after
-            after = next
-            next = value
+        do k = nodes - 1, 3, -2
+            after = term(k) + 2.0_dp*x*next - after
+            next = term(k - 1) + 2.0_dp*x*after - next
         end do
         value = term(1) + x*next - after
     end function values
@@ -265,12 +264,11 @@ contains
         x(:size(length)) = min(max(length, 0.0_dp)/max(panel%length, tiny(1.0_dp)), 1.0_dp)
         x = 2.0_dp*x - 1.0_dp
         if (any(panel%is_slow)) x = stretched(panel, 0.5_dp*(1.0_dp + x))
-        next = 0.0_dp
+        next = panel%term(nodes)
         after = 0.0_dp
-        do k = nodes, 2, -1
-            value = panel%term(k) + 2.0_dp*x*next - after
-            after = next
-            next = value
+        do k = nodes - 1, 3, -2
+            after = panel%term(k) + 2.0_dp*x*next - after
+            next = panel%term(k - 1) + 2.0_dp*x*after - next
         end do
         value = panel%term(1) + x*next - after
         value = 0.5_dp*(panel%from + panel%to) + 0.5_dp*(panel%to - panel%from)*value
