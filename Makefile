@@ -9,7 +9,7 @@ BUILD := build
 LIBS  := -llapack -lblas
 
 # Builds of the same sources: as used, as distrusted (make DEBUG=1), as read by lint; for proofs
-# apart from `make check`, watched by the sanitizers, and led by AFL++ (tests/fuzz/README.md).
+# apart from `make check`, watched by the sanitizers, and led by AFL++ (doc/robustness.md).
 AFL  := /usr/lib/afl
 MODE := $(if $(DEBUG),debug,release)
 FLAGS.release := -O2 -g -ffp-contract=off
@@ -213,7 +213,7 @@ SEED    := 1
 # Long proofs: programs and scripts of tests/soak, one after the other (MINUTES=5 SEED=7).
 soak: $(LOFT) $(SOAKS)              ## breaks LOFT for MINUTES, or fails to (SEED)
 	@$(MAKE) MODE=debug all
-	@$(MAKE) MODE=sanitize all
+	@$(MAKE) MODE=sanitize all library
 	@LOFT=$(abspath $(LOFT)) ROOT=$(CURDIR) BUILD=$(abspath $(BUILD)) MINUTES=$(MINUTES) \
 	    SEED=$(SEED) prove --failures --comments --exec '' $(SOAKS) $(HOURS)
 

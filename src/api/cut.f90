@@ -4,6 +4,7 @@ module api_cut
     use api_computed_body, only: computed_body_type
     use api_deck, only: deck_type
     use base_constants, only: largest_table
+    use base_decimal, only: largest_power
     use base_error, only: cause, error_type, fail
     use base_exact, only: is_finite
     use base_kinds, only: dp
@@ -19,7 +20,7 @@ module api_cut
     implicit none (type, external)
     private
 
-    public :: asked_type, cut_type, point_type, cut_asked, cut_listed, find_body
+    public :: asked_type, cut_type, point_type, cut_asked, cut_listed, find_body, is_coordinate
 
     !> A cut asked of a body.
     type :: asked_type
@@ -160,8 +161,9 @@ contains
         type(asked_type), intent(in) :: asked               !! what is asked
         type(error_type), allocatable, intent(out) :: error !! see above
 
-        if (.not. all(is_finite([asked%point, asked%normal, asked%step]))) then
-            call fail(error, cause%usage, 'a number of the cut is infinite or no number')
+        if (.not. all(is_coordinate([asked%point, asked%normal, asked%step]))) then
+            call fail(error, cause%usage, 'a number of the cut is infinite, no number, or '// &
+                'beyond those of a deck')
         else if (asked%rule < cut_rule%number .or. asked%rule > cut_rule%chord) then
             call fail(error, cause%usage, 'points are spread by number, length or chord')
         else if (asked%rule == cut_rule%number .and. asked%number < 2) then
@@ -173,6 +175,14 @@ contains
             call fail(error, cause%usage, 'the step of points is above zero')
         end if
     end subroutine check_numbers
+
+    !> True for a number that a deck may have: finite, and so large at most that no product of
+    !> three overflows.
+    elemental logical function is_coordinate(x)
+        real(dp), intent(in) :: x !! any number
+        is_coordinate = is_finite(x)
+        if (is_coordinate) is_coordinate = abs(x) <= 10.0_dp**largest_power
+    end function is_coordinate
 
     !> A cut as it was made, as a list of points.
     pure subroutine take_cut(made, sections, cut)

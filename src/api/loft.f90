@@ -19,12 +19,12 @@
 !> all threads share (seen in version 12). So only one thread at a time is let into the procedures
 !> that make texts: all that fail. The others wait.
 module api_loft
-    use api_cut, only: asked_type, cut_asked, cut_listed, cut_type, find_body, point_type
+    use api_cut, only: asked_type, cut_asked, cut_listed, cut_type, find_body, is_coordinate, &
+        point_type
     use api_deck, only: conic_type, deck_type, read_deck
     use api_deck_file, only: deck_file_type
     use base_constants, only: version
     use base_error, only: cause, error_type, fail
-    use base_exact, only: is_finite
     use base_fault, only: fault_list_type, fault_type, severity
     use base_kinds, only: dp
     use base_text, only: to_text
@@ -190,8 +190,8 @@ contains
 
         !$omp critical (loft)
         call find_body(deck, body, error)
-        if (.not. is_finite(sta)) &
-            call fail(error, cause%usage, 'the station is infinite or no number')
+        if (.not. is_coordinate(sta)) call fail(error, cause%usage, &
+            'the station is infinite, no number, or beyond those of a deck')
         if (.not. allocated(error)) &
             call measure_section(deck%bodies(body)%body, sta, measure)
         !$omp end critical (loft)

@@ -41,7 +41,7 @@ typedef struct loft_error loft_error;                   /* why a call failed */
 enum loft_cause {
     LOFT_NO_ERROR = 0,
     LOFT_FILE_TROUBLE = 1,      /* the deck can't be opened or read */
-    LOFT_BAD_ARGUMENT = 2,      /* NULL, a number that is not finite, or nothing of that number */
+    LOFT_BAD_ARGUMENT = 2,      /* NULL, a number that is not finite or beyond 1e80, or nothing of that number */
     LOFT_POINTS_COINCIDE = 10,  /* the normal of a plane is zero */
     LOFT_NO_CONVERGENCE = 21,   /* an iteration did not reach its tolerance */
     LOFT_TOO_MANY = 41,         /* more points than LOFT makes */

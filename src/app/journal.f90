@@ -6,6 +6,7 @@
 module app_journal
     use, intrinsic :: iso_c_binding, only: c_associated, c_int, c_null_ptr, c_ptr
     use app_progress, only: tell_progress, time_words
+    use app_signals, only: advise
     use app_whole_file, only: read_whole
     use base_error, only: cause, error_type, fail
     use base_exact, only: is_equal
@@ -104,6 +105,7 @@ contains
             return
         end if
         call journal%out%attach(c_fileno(journal%stream))
+        call advise('; --resume goes on with '//journal%path)
         if (kept == 0) call write_known(journal, error)
     end subroutine open_to_append
 
@@ -280,6 +282,7 @@ contains
     subroutine close_journal(journal)
         class(journal_type), intent(inout) :: journal !! the journal
         integer(c_int) :: ignored
+        call advise('')
         if (c_associated(journal%stream)) ignored = c_fclose(journal%stream)
         journal%stream = c_null_ptr
     end subroutine close_journal

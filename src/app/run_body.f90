@@ -94,6 +94,7 @@ contains
         type(fault_list_type), intent(inout) :: faults  !! what is wrong is added
         type(body_listing_type) :: listing
         type(computed_body_type) :: computed
+        type(cut_type) :: measured
         integer :: i, k
 
         call listing%begin(job, deck_name, out)
@@ -114,8 +115,8 @@ contains
             end do
             do k = 1, size(computed%outlines)
                 call listing%print_body_outline(computed%outlines(k), out)
-                call listing%print_body_arcs(measured_cut(computed%outlines(k)), &
-                    computed%outline_arcs(k)%tables, out)
+                measured = measured_cut(computed%outlines(k))
+                call listing%print_body_arcs(measured, computed%outline_arcs(k)%tables, out)
             end do
         end do
     end subroutine print_listing

@@ -8,7 +8,9 @@ module audit_card
     use audit_parameter, only: bound_parameter, fix_parameter, parameter_type
     use audit_reading, only: sort
     use base_constants, only: vertical_slope
+    use base_error, only: error_type
     use base_kinds, only: dp
+    use geom_arc, only: arc_through, arc_type, direction_of_slope, end_type
     implicit none (type, external)
     private
 
@@ -17,6 +19,7 @@ module audit_card
     !> The numbers of a card.
     type :: card_type
         logical :: is_whole = .false.                !! all five were found
+        logical :: is_conic = .false.                !! and have an arc: the card runs
         real(dp) :: x(3) = 0.0_dp                    !! abscissae of first, shoulder, last point
         character(figure_length) :: number(5) = ''   !! Y1, S1, Y2, Y3, S3 as they are punched
     end type card_type
@@ -58,8 +61,24 @@ contains
             if (.not. is_allowed) return
         end do
         card%is_whole = .true.
+        card%is_conic = has_arc(card)
         fit%k = fixed%k
     end subroutine make_card
+
+    !> True where an arc goes through the points of a whole card with its slopes.
+    pure logical function has_arc(card)
+        type(card_type), intent(in) :: card !! with all numbers
+        type(arc_type) :: arc
+        type(error_type), allocatable :: error
+        real(dp) :: value(5)
+
+        read (card%number, *) value
+        associate (y1 => value(1), s1 => value(2), y2 => value(3), y3 => value(4), s3 => value(5))
+            call arc_through(end_type([card%x(1), y1], direction_of_slope(s1)), [card%x(2), y2], &
+                end_type([card%x(3), y3], direction_of_slope(s3)), arc, error)
+        end associate
+        has_arc = .not. allocated(error)
+    end function has_arc
 
     !> True where a parameter is one number already.
     pure logical function is_single(parameter)

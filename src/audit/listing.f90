@@ -10,7 +10,8 @@ module audit_listing
     use audit_parameter, only: find_pairs, pair_type, parameter_type
     use audit_printing, only: printing, printing_name
     use audit_reading, only: sort
-    use audit_words, only: card_image, corrected, is_doubtful, percent, reading_name, reason
+    use audit_words, only: card_image, corrected, is_doubtful, percent, reading_name, reason, &
+        why_no_card
     use base_constants, only: vertical_slope
     use base_digits, only: fixed, shortest
     use base_kinds, only: dp
@@ -105,11 +106,11 @@ contains
                 piece%parameter(k)))
         end do
         call print_pairs(page, piece, out)
-        if (card_image(item, piece) /= '') then
+        if (why_no_card(item, piece) == '') then
             call page%line(out, 'CARD')
             call page%line(out, card_image(item, piece))
         else
-            call page%line(out, 'NO CARD: THE GOOD FIGURES DO NOT TELL ALL OF ITS NUMBERS')
+            call page%line(out, 'NO CARD: '//upper(why_no_card(item, piece)))
         end if
     end subroutine print_piece
 

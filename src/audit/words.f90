@@ -17,7 +17,7 @@ module audit_words
     implicit none (type, external)
     private
 
-    public :: reading_name, corrected, reason, percent, card_image, is_doubtful
+    public :: reading_name, corrected, reason, percent, card_image, why_no_card, is_doubtful
 
 contains
 
@@ -86,7 +86,7 @@ contains
         logical :: is_found
 
         image = ''
-        if (.not. piece%card%is_whole) return
+        if (.not. piece%card%is_conic) return
         associate (card => piece%card)
             number = card_number([card%number(1), card%number(1:2), card%number(2:3), &
                 card%number(3:4), card%number(5)])
@@ -96,15 +96,40 @@ contains
                 image(field_width*(i - 1) + 1:field_width*i) = number(i)
             end do
             call find_step(item, .false., step, is_found)
-            if (.not. is_found) step = sign(aint(abs(card%x(3) - card%x(1))) + 1.0_dp, &
-                card%x(3) - card%x(1))
+            if (.not. is_found) step = aint(abs(card%x(3) - card%x(1))) + 1.0_dp
+            step = sign(step, card%x(3) - card%x(1))
         end associate
         image(65:70) = card_number(shortest_text(rounded(step)))
         call find_step(item, .true., step, is_found)
         if (.not. is_found) return
-        image(71:76) = card_number(shortest_text(rounded(step)))
+        image(71:76) = card_number(shortest_text(rounded(sign(step, way_of(number([2, 7]))))))
         image(77:78) = ' 1'
     end function card_image
+
+    !> Why a conic has no card that runs, in words; nothing where it has one.
+    pure function why_no_card(item, piece) result(words)
+        type(item_type), intent(in) :: item     !! the table
+        type(piece_type), intent(in) :: piece   !! one conic of it
+        character(:), allocatable :: words
+
+        if (.not. piece%card%is_whole) then
+            words = 'the good figures do not tell all of its numbers'
+        else if (.not. piece%card%is_conic) then
+            words = 'no conic goes through its points with its slopes'
+        else if (card_image(item, piece) == '') then
+            words = 'a number needs more columns than a field has'
+        else
+            words = ''
+        end if
+    end function why_no_card
+
+    !> The way from one ordinate to another.
+    pure real(dp) function way_of(number) result(way)
+        character(*), intent(in) :: number(2) !! as punched
+        real(dp) :: value(2)
+        read (number, *) value
+        way = value(2) - value(1)
+    end function way_of
 
     !> A number as it is punched: with a point, without which a card of 1970 would put it elsewhere,
     !> and without the zero before it where the field has no room for that.

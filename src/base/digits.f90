@@ -5,6 +5,7 @@
 !> Each is worked by a product that says how sure it is; where it leaves a doubt, because the number
 !> is a tie or next to one, the figures are worked exactly.
 module base_digits
+    use base_exact, only: is_finite
     use base_figures, only: figure_count, put_text, put_units, put_whole
     use base_kinds, only: dp, i128, i64
     use base_rounding, only: figures_of, units_of
@@ -24,7 +25,7 @@ contains
     !> A number with a fixed count of decimals, right in its columns; halves go to even, as the
     !> runtime rounds them.
     pure function fixed(value, width, decimals) result(text)
-        real(dp), intent(in) :: value   !! a finite number
+        real(dp), intent(in) :: value   !! any; NaN is said where it is no finite number
         integer, intent(in) :: width    !! columns, at least 9
         integer, intent(in) :: decimals !! figures behind the point, 0 to 12
         character(int(width, i64)) :: text
@@ -33,6 +34,11 @@ contains
         logical :: is_negative
         integer :: used
 
+        if (.not. is_finite(value)) then
+            text = ''
+            text(width - 2:) = 'NaN'
+            return
+        end if
         units = units_of(abs(value), decimals)
         is_negative = value < 0.0_dp .and. units > 0
         used = max(figure_count(units), decimals + 1) + merge(2, 1, is_negative)
@@ -60,7 +66,7 @@ contains
     !> A number with one figure before the point and a power of ten of two figures, or three where
     !> it needs them, right in its columns.
     pure function scientific(value, width, figures) result(text)
-        real(dp), intent(in) :: value   !! a finite number
+        real(dp), intent(in) :: value   !! any
         integer, intent(in) :: width    !! columns, at least figures + 7
         integer, intent(in) :: figures  !! figures in all, 1 to 17
         character(int(width, i64)) :: text
@@ -75,13 +81,17 @@ contains
 
     !> Writes a number with a power of ten, as `scientific`, from a column on.
     pure subroutine put_scientific(value, figures, line, next)
-        real(dp), intent(in) :: value       !! a finite number
+        real(dp), intent(in) :: value       !! any
         integer, intent(in) :: figures      !! figures in all, 1 to 17
         character(*), intent(inout) :: line !! has figures + 7 columns from there on
         integer, intent(inout) :: next      !! the first column; behind the last on return
         integer(i64) :: units
         integer :: power, i
 
+        if (.not. is_finite(value)) then
+            call put_text('NaN', line, next)
+            return
+        end if
         if (value < 0.0_dp) call put_text('-', line, next)
         if (abs(value) > 0.0_dp) then
             call figures_of(abs(value), figures, units, power)
@@ -103,7 +113,7 @@ contains
 
     !> The fewest figures that read back as the same double: `-30`, `0.1`, `1e-07`.
     pure function shortest(value) result(text)
-        real(dp), intent(in) :: value !! a finite number
+        real(dp), intent(in) :: value !! any
         character(int(shortest_length(value), i64)) :: text
         integer :: next
         next = 1

@@ -6,7 +6,7 @@
 !> place. They stand in a module of their own because a length may not be declared by a function of
 !> the same module.
 module base_length
-    use base_exact, only: is_zero
+    use base_exact, only: is_finite, is_zero
     use base_figures, only: figure_count
     use base_kinds, only: dp, i64
     implicit none (type, external)
@@ -25,18 +25,23 @@ contains
 
     !> Characters of `compact`, of base_text.
     pure integer(i64) function compact_length(value) result(length)
-        real(dp), intent(in) :: value !! a finite number
+        real(dp), intent(in) :: value !! any
         length = len_trim(compact_field(value), i64)
     end function compact_length
 
     !> A number for a sentence: up to six decimals, or up to six figures and a power of ten, no
-    !> zeros at the end (`12.5`, `-0.001`, `7.`, `3.E+20`); blanks behind it.
+    !> zeros at the end (`12.5`, `-0.001`, `7.`, `3.E+20`); blanks behind it. What is no finite
+    !> number is said as Fortran says it.
     pure function compact_field(value) result(text)
-        real(dp), intent(in) :: value !! a finite number
+        real(dp), intent(in) :: value !! any
         character(32) :: text
         character(32) :: field
         integer :: power
 
+        if (.not. is_finite(value)) then
+            write (text, '(g0)') value
+            return
+        end if
         if (abs(value) < 1.0e7_dp .and. (abs(value) >= 1.0e-4_dp .or. is_zero(value))) then
             write (field, '(f0.6)') merge(0.0_dp, value, is_zero(value))
             power = len_trim(field) + 1

@@ -1,5 +1,6 @@
 !> The fewest figures that read back as the same double, written into the columns of a line.
 module base_shortest
+    use base_exact, only: is_finite
     use base_figures, only: put_text, put_whole
     use base_kinds, only: dp, i64
     use base_rounding, only: shortest_figures
@@ -15,14 +16,19 @@ module base_shortest
 
 contains
 
-    !> Writes the fewest figures that read back as the same double, from a column on.
+    !> Writes the fewest figures that read back as the same double, from a column on; NaN where it
+    !> is no finite number.
     pure subroutine put_shortest(value, line, next)
-        real(dp), intent(in) :: value       !! a finite number
+        real(dp), intent(in) :: value       !! any
         character(*), intent(inout) :: line !! has `widest_shortest` columns from there on
         integer, intent(inout) :: next      !! the first column; behind the last on return
         integer(i64) :: figures
         integer :: power
 
+        if (.not. is_finite(value)) then
+            call put_text('NaN', line, next)
+            return
+        end if
         if (.not. abs(value) > 0.0_dp) then
             line(next:next) = '0'
             next = next + 1
@@ -38,7 +44,7 @@ contains
 
     !> How many characters `shortest` needs.
     pure integer function shortest_length(value) result(length)
-        real(dp), intent(in) :: value !! a finite number
+        real(dp), intent(in) :: value !! any
         character(widest_shortest) :: line
         integer :: next
         next = 1

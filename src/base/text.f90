@@ -117,7 +117,7 @@ contains
     !> A number for a sentence: up to six decimals, or up to six figures and a power of ten, no
     !> zeros at the end (`12.5`, `-0.001`, `7.`, `3.E+20`).
     pure function compact(value) result(text)
-        real(dp), intent(in) :: value !! a finite number
+        real(dp), intent(in) :: value !! any
         character(compact_length(value)) :: text
         text = compact_field(value)
     end function compact

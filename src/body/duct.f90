@@ -59,6 +59,7 @@ contains
         type(duct_type), allocatable, intent(out) :: ducts(:)   !! in the order of the deck
         type(fault_list_type), intent(inout) :: faults          !! what is wrong is added
         type(duct_type) :: duct
+        type(outline_type), allocatable :: through(:)
         type(error_type), allocatable :: error
         integer, allocatable :: number(:)
         integer :: i, k, field
@@ -69,7 +70,8 @@ contains
                 number = [(find_outline(outlines, asked%outline(card%outline(k))%name), &
                     k = 1, size(card%outline))]
                 if (any(number == 0)) cycle
-                call new_duct(card%name, outlines(number), duct, field, error)
+                through = outlines(number)
+                call new_duct(card%name, through, duct, field, error)
                 if (allocated(error)) then
                     call blame(card%card, merge(2, first_outline - 1 + field, field == 0), &
                         'duct '//trim(card%name)//': '//error%message, faults)

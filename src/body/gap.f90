@@ -45,12 +45,12 @@ contains
         call find_arcs(body%lines, section, sta, is_sure)
         was_sound = is_sure(1)
         if (.not. was_sound) was_sound = has_arc(body, section, sta(1))
-        if (.not. was_sound) gaps = [new_gap(body, section, section%from, sta(1))]
+        if (.not. was_sound) call add_gap(body, section, section%from, sta(1), gaps)
         do i = 2, size(sta)
             is_sound = is_sure(i)
             if (.not. is_sound) is_sound = has_arc(body, section, sta(i))
-            if (was_sound .and. .not. is_sound) gaps = [gaps, new_gap(body, section, &
-                edge_between(body, section, sta(i - 1), sta(i)), sta(i))]
+            if (was_sound .and. .not. is_sound) call add_gap(body, section, &
+                edge_between(body, section, sta(i - 1), sta(i)), sta(i), gaps)
             if (is_sound .and. .not. was_sound) &
                 gaps(size(gaps))%to = edge_between(body, section, sta(i), sta(i - 1))
             was_sound = is_sound
@@ -58,19 +58,22 @@ contains
         if (.not. was_sound) gaps(size(gaps))%to = section%to
     end function section_gaps
 
-    !> A gap that begins at a station; another inside says why.
-    pure type(gap_type) function new_gap(body, section, from, inside) result(gap)
-        type(body_type), intent(in) :: body         !! finished
-        type(section_type), intent(in) :: section   !! one of its sections
-        real(dp), intent(in) :: from                !! deck units
-        real(dp), intent(in) :: inside              !! a station without an arc
+    !> Adds a gap that begins at a station; another inside says why.
+    pure subroutine add_gap(body, section, from, inside, gaps)
+        type(body_type), intent(in) :: body                     !! finished
+        type(section_type), intent(in) :: section               !! one of its sections
+        real(dp), intent(in) :: from                            !! deck units
+        real(dp), intent(in) :: inside                          !! a station without an arc
+        type(gap_type), allocatable, intent(inout) :: gaps(:)   !! gets it
         type(error_type), allocatable :: error
+        type(gap_type) :: gap
 
         gap%from = from
         gap%to = inside
         call explain(body, section, inside, error)
         gap%reason = 'at station '//compact(inside)//': '//error%message
-    end function new_gap
+        gaps = [gaps, gap]
+    end subroutine add_gap
 
     !> The error of a section at a station without an arc.
     pure subroutine explain(body, section, sta, error)

@@ -7,6 +7,7 @@ module cut_inside
     use body_body, only: body_type
     use body_offset, only: foot_at, foot_type, parallel_curvature, steepest_curvature, way_inside
     use body_skin, only: skin_at, skin_type
+    use cut_note, only: add_note
     use cut_outline, only: cut_point_type, cut_type, note_type, outline_type
     use cut_plane, only: cut_kind, height_over, in_view, true_shape
     use cut_point, only: give_bevel, left_of
@@ -235,20 +236,19 @@ contains
         real(dp), intent(in) :: thickness                           !! deck units
         type(loss_type), intent(in) :: loss                         !! what is left out
         type(note_type), allocatable, intent(inout) :: notes(:)     !! gets it
-        character(:), allocatable :: place, words
+        character(:), allocatable :: place
 
         place = ' at station '//compact(loss%at(1))//', BL '//compact(loss%at(2))//', WL '// &
             compact(loss%at(3))
         if (loss%sharp > 0) then
-            words = 'the skin of '//compact(thickness)//' is thicker than the radius of '// &
-                'curvature '//compact(loss%radius)//place//'; no inside opposite '// &
-                counted(loss%sharp, 'point')//' of the outline'
-            notes = [notes, note_type(.false., words)]
+            call add_note(notes, .false., 'the skin of '//compact(thickness)//' is thicker '// &
+                'than the radius of curvature '//compact(loss%radius)//place// &
+                '; no inside opposite '//counted(loss%sharp, 'point')//' of the outline')
         end if
         if (loss%beyond > 0) then
-            words = 'no inside of the skin opposite '//counted(loss%beyond, 'point')// &
-                ' of the outline: a section or its smooth surface ends there'
-            notes = [notes, note_type(.false., words)]
+            call add_note(notes, .false., 'no inside of the skin opposite '// &
+                counted(loss%beyond, 'point')//' of the outline: a section or its smooth '// &
+                'surface ends there')
         end if
     end subroutine tell
 

@@ -14,7 +14,7 @@ module cut_note
     implicit none (type, external)
     private
 
-    public :: note_sections, note_disagreement
+    public :: note_sections, note_disagreement, add_note
 
 contains
 
@@ -37,16 +37,16 @@ contains
                 gaps = section_gaps(body, section)
                 do k = 1, size(gaps)
                     if (gaps(k)%from > asked(2) .or. gaps(k)%to < asked(1)) cycle
-                    notes = [notes, note_type(.true., 'section '//trim(section%name)// &
-                        ' does not exist'//between(gaps(k)%from, gaps(k)%to)//'; '//gaps(k)%reason)]
+                    call add_note(notes, .true., 'section '//trim(section%name)// &
+                        ' does not exist'//between(gaps(k)%from, gaps(k)%to)//'; '//gaps(k)%reason)
                 end do
                 stops = smooth_stops(body, section)
                 do k = 1, size(stops) - 1
                     if (stops(k) > asked(2) .or. stops(k + 1) < asked(1)) cycle
                     if (.not. lies_in(body, section, plane, stops(k:k + 1))) cycle
-                    notes = [notes, note_type(.false., 'section '//trim(section%name)// &
+                    call add_note(notes, .false., 'section '//trim(section%name)// &
                         ' lies in the plane of the cut'//between(stops(k), stops(k + 1))// &
-                        '; it has no outline there, but those of its neighbours')]
+                        '; it has no outline there, but those of its neighbours')
                 end do
             end associate
         end do
@@ -91,7 +91,6 @@ contains
     !> Notes, as an error, that the two ways to the points of a cut do not agree.
     pure subroutine note_disagreement(cut)
         type(cut_type), intent(inout) :: cut !! has outlines and disagreement
-        character(:), allocatable :: words
         real(dp) :: largest
         integer :: i
 
@@ -102,9 +101,19 @@ contains
                 maxval(abs(cut%outlines(i)%points%at(3))))
         end do
         if (cut%disagreement <= max(agreement_tolerance, agreement_ulps*ulp*largest)) return
-        words = 'the two ways to the points of the cut differ by '//compact(cut%disagreement)// &
-            '; its figures can''t be relied upon'
-        cut%notes = [cut%notes, note_type(.true., words)]
+        call add_note(cut%notes, .true., 'the two ways to the points of the cut differ by '// &
+            compact(cut%disagreement)//'; its figures can''t be relied upon')
     end subroutine note_disagreement
+
+    !> Adds a note.
+    pure subroutine add_note(notes, is_error, message)
+        type(note_type), allocatable, intent(inout) :: notes(:)     !! gets it
+        logical, intent(in) :: is_error                             !! the cut can't be relied upon
+        character(*), intent(in) :: message                         !! plain words, no final point
+        type(note_type) :: note
+        note%is_error = is_error
+        note%message = message
+        notes = [notes, note]
+    end subroutine add_note
 
 end module cut_note

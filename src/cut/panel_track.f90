@@ -43,10 +43,9 @@ module cut_panel_track
 
     !> Cells each way at least.
     integer, parameter :: fewest_cells = 48
-    !> A piece shorter than this many times the noise is none: its direction would be noise. Steps
-    !> that find a crossing on a line of the mesh.
+    !> A piece shorter than this many times the noise is none: its direction would be noise.
     real(dp), parameter :: shortest_piece = 1000.0_dp
-    integer, parameter :: most_steps = 200
+    integer, parameter :: most_steps = 200  !! to a crossing on a line of the mesh
 
 contains
 
@@ -120,7 +119,6 @@ contains
         type(mesh_type), intent(inout) :: mesh                              !! over it
         type(panel_track_type), allocatable, intent(inout) :: tracks(:)     !! gets the sides
         integer :: m, n
-
         m = size(mesh%u)
         n = size(mesh%v)
         if (is_in(mesh%h(:, 1))) then
@@ -158,7 +156,9 @@ contains
         integer, intent(in) :: side                                         !! which
         real(dp), intent(in) :: uv(:, :)                                    !! its points
         type(panel_track_type), allocatable, intent(inout) :: tracks(:)     !! gets it
-        if (side /= panel%point) tracks = [tracks, track_through(panel, uv)]
+        type(panel_track_type) :: track
+        track = track_through(panel, uv)
+        if (side /= panel%point) tracks = [tracks, track]
     end subroutine take
 
     !> The track through some points.

@@ -11,7 +11,7 @@ module deck_body_data_fields
         body_field_type(card%conic, 2, 'Y1', form%number, need%always, 'deck unit', &
         'first point'), &
         body_field_type(card%conic, 3, 'S1', form%number, need%always, 'dy/dx', &
-        'slope at the first point; 999.99 or more is vertical'), &
+        'slope at the first point; vertical from a size of 999.99 on'), &
         body_field_type(card%conic, 4, 'X2', form%number, need%unmatched, 'deck unit', &
         'shoulder point, on the curve between the ends; blank with MATCH'), &
         body_field_type(card%conic, 5, 'Y2', form%number, need%unmatched, 'deck unit', &
@@ -21,19 +21,19 @@ module deck_body_data_fields
         body_field_type(card%conic, 7, 'Y3', form%number, need%always, 'deck unit', &
         'last point'), &
         body_field_type(card%conic, 8, 'S3', form%number, need%always, 'dy/dx', &
-        'slope at the last point; 999.99 or more is vertical'), &
+        'slope at the last point; vertical from a size of 999.99 on'), &
         body_field_type(card%rho, 2, 'X1', form%number, need%always, 'deck unit', &
         'first point'), &
         body_field_type(card%rho, 3, 'Y1', form%number, need%always, 'deck unit', &
         'first point'), &
         body_field_type(card%rho, 4, 'S1', form%number, need%always, 'dy/dx', &
-        'slope at the first point; 999.99 or more is vertical'), &
+        'slope at the first point; vertical from a size of 999.99 on'), &
         body_field_type(card%rho, 5, 'X3', form%number, need%always, 'deck unit', &
         'last point'), &
         body_field_type(card%rho, 6, 'Y3', form%number, need%always, 'deck unit', &
         'last point'), &
         body_field_type(card%rho, 7, 'S3', form%number, need%always, 'dy/dx', &
-        'slope at the last point; 999.99 or more is vertical'), &
+        'slope at the last point; vertical from a size of 999.99 on'), &
         body_field_type(card%rho, 8, 'RHO', form%number, need%unmatched, 'none', &
         'rho, above 0 and below 1; .5 is a parabola; blank with MATCH'), &
         body_field_type(card%tangent, 2, 'X1', form%number, need%always, 'deck unit', &

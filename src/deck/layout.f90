@@ -38,7 +38,7 @@ module deck_layout
         field_layout_type('Y1   ', 9, 16, 'F', 3, 'deck unit', &
         'first point                                                     '), &
         field_layout_type('S1   ', 17, 24, 'F', 5, 'dy/dx    ', &
-        'slope at the first point; 999.99 or more is vertical            '), &
+        'slope at the first point; vertical from a size of 999.99 on     '), &
         field_layout_type('X2   ', 25, 32, 'F', 3, 'deck unit', &
         'shoulder point, on the curve between the ends                   '), &
         field_layout_type('Y2   ', 33, 40, 'F', 3, 'deck unit', &
@@ -48,7 +48,7 @@ module deck_layout
         field_layout_type('Y3   ', 49, 56, 'F', 3, 'deck unit', &
         'last point                                                      '), &
         field_layout_type('S3   ', 57, 64, 'F', 5, 'dy/dx    ', &
-        'slope at the last point; 999.99 or more is vertical             '), &
+        'slope at the last point; vertical from a size of 999.99 on      '), &
         field_layout_type('XI   ', 65, 70, 'F', 3, 'deck unit', &
         'increment of X for the X table, with the sign of X3 - X1        '), &
         field_layout_type('YI   ', 71, 76, 'F', 3, 'deck unit', &

@@ -34,7 +34,7 @@ module export_nc
     use export_drawing, only: contour_type, drawing_type, shape_type
     use export_drawn, only: check_shapes, check_tolerance, draw_shapes
     use export_nc_follow, only: follow_arcs, follow_chords
-    use export_nc_path, only: path_type, put_path, run_type
+    use export_nc_path, only: farthest, path_type, put_path, read_figures, run_type
     use export_nc_word, only: comment, word
     use export_receipt, only: entity_type, receipt_type
     use export_settings, only: settings_type
@@ -46,9 +46,6 @@ module export_nc
 
     !> Decimals that controls show, in inches and in millimetres.
     integer, parameter :: inch_decimals = 4, metric_decimals = 3
-    !> Figures of a coordinate that every control reads, and the first coordinate beyond them.
-    integer, parameter :: read_figures = 8
-    real(dp), parameter :: farthest = 1.0e5_dp
     !> The feed into the material, in parts of that along the outline.
     real(dp), parameter :: plunge_part = 0.5_dp
 

@@ -9,15 +9,13 @@
 module export_nc_arcs
     use base_kinds, only: dp
     use export_chords, only: rounded
-    use export_nc_path, only: path_type, segment_type
+    use export_nc_path, only: farthest, path_type, read_figures, segment_type
     use geom_circular, only: circular_type, parted_circular
     implicit none (type, external)
     private
 
     public :: arc_path
 
-    !> Figures that every control reads of a radius.
-    integer, parameter :: read_figures = 8
     !> The rise of an arc, units of the last decimal, that is lost in rounding.
     real(dp), parameter :: lost_rise = 0.5_dp
 
@@ -37,13 +35,22 @@ contains
         path%start = rounded(arcs(1)%start, decimals)
         at = path%start
         do i = 1, size(arcs)
-            if (abs(arcs(i)%radius) >= 10.0_dp**(read_figures - decimals)) then
+            if (is_wide(arcs(i), decimals)) then
                 call add_chords(arcs(i), decimals, at, path)
             else
                 call add_arc(arcs(i), decimals, at, path)
             end if
         end do
     end function arc_path
+
+    !> True where the radius has more figures than controls read. Where the ends are beyond any
+    !> machine, which the caller refuses, it does not matter.
+    pure logical function is_wide(arc, decimals)
+        type(circular_type), intent(in) :: arc      !! any
+        integer, intent(in) :: decimals             !! of coordinates
+        is_wide = abs(arc%radius) >= 10.0_dp**(read_figures - decimals) .and. &
+            max(maxval(abs(arc%start)), maxval(abs(arc%finish))) < farthest
+    end function is_wide
 
     !> Adds an arc, or the straight piece that it is.
     pure subroutine add_arc(arc, decimals, at, path)

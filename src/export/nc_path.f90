@@ -8,6 +8,11 @@ module export_nc_path
 
     public :: segment_type, path_type, run_type, straight_path, put_path
 
+    !> Figures of a coordinate or radius that every control reads; the first coordinate beyond any
+    !> machine.
+    integer, parameter, public :: read_figures = 8
+    real(dp), parameter, public :: farthest = 1.0e5_dp
+
     !> A piece of a path, from where the last one ended.
     type :: segment_type
         real(dp) :: to(2) = 0.0_dp          !! where it ends

@@ -95,7 +95,8 @@ contains
         best = 0
         allocate (front, source=pack([(i, i = 1, size(records))], records%is_front))
         if (size(front) == 0) return
-        allocate (key, source=keys_of(study, records(front)))
+        allocate (key, source=keys_of(study, records))
+        key = key(:, front)
         allocate (distance(size(front)))
         distance = 0.0_dp
         do k = 1, size(key, 1)

@@ -1,6 +1,8 @@
 !> Numbers as figures: against the runtime's own formats, and the shortest figures against every
 !> shorter one.
 program test_digits
+    use, intrinsic :: ieee_arithmetic, only: ieee_negative_inf, ieee_positive_inf, ieee_quiet_nan, &
+        ieee_value
     use base_kinds, only: dp, i64
     use base_text, only: to_text
     use base_digits, only: fixed, put_fixed, scientific, shortest
@@ -19,9 +21,22 @@ program test_digits
     call check_random_patterns()
     call check_extremes()
     call check_short_decimals()
+    call check_no_numbers()
     call tap%finish()
 
 contains
+
+    !> What is no finite number is never printed as one.
+    subroutine check_no_numbers()
+        real(dp) :: value(3)
+        integer :: i
+
+        value = ieee_value(0.0_dp, [ieee_quiet_nan, ieee_positive_inf, ieee_negative_inf])
+        do i = 1, 3
+            call tap%same(fixed(value(i), 9, 3)//scientific(value(i), 9, 2)//shortest(value(i)), &
+                '      NaN      NaNNaN', 'what is no number is said as such, '//to_text(i))
+        end do
+    end subroutine check_no_numbers
 
     !> Fixed decimals by hand.
     subroutine check_fixed()

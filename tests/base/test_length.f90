@@ -1,5 +1,7 @@
 !> Lengths said beforehand are those of the texts.
 program test_length
+    use, intrinsic :: ieee_arithmetic, only: ieee_negative_inf, ieee_positive_inf, ieee_quiet_nan, &
+        ieee_value
     use base_kinds, only: dp, i64
     use base_length, only: compact_field, compact_length, places
     use base_text, only: compact, counted, to_text
@@ -23,6 +25,10 @@ program test_length
         call tap%ok(compact_length(number(i)) == len_trim(text(i), i64) .and. &
             compact_field(number(i)) == text(i), 'of that length')
     end do
+    call tap%same(compact(ieee_value(0.0_dp, ieee_quiet_nan))//' '// &
+        compact(ieee_value(0.0_dp, ieee_positive_inf))//' '// &
+        compact(ieee_value(0.0_dp, ieee_negative_inf)), 'NaN Inf -Inf', &
+        'what is no number is said as such')
     call tap%same(to_text(-120), '-120', 'a whole number')
     call tap%same(counted(1_i64, 'card'), '1 card', 'one')
     call tap%same(counted(12_i64, 'card'), '12 cards', 'many')

@@ -73,6 +73,10 @@ contains
         call tap%ok(miss <= 1.21e-4_dp, 'that are on it, but for rounding')
         call tap%near(norm2(path%segments(size(path%segments))%to - [100.0_dp, 0.25_dp]), 0.0_dp, &
             0.0_dp, 'to its end')
+        wide(1) = circular_between(origin, 0.0_dp, [1.0e22_dp, 1.0e22_dp])
+        path = arc_path(wide, 4)
+        call tap%ok(maxval(abs(path%segments(size(path%segments))%to)) >= 1.0e22_dp, &
+            'coordinates beyond any machine do no harm')
     end subroutine check_limits
 
     !> Arcs of any size: both ends on one circle as controls have it, the middle where it was.

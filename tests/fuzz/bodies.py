@@ -1,7 +1,9 @@
-"""Cut points of a body deck: on their plane, and on their section, whose conic is worked anew.
+"""Cut points of a body deck: on their plane, and on their section: the conic through its control
+lines, worked anew.
 
-Judged are bodies of one SYMMETRY, without NOSE, whose lines are plain conics, straight lines and
-constants; of others only the planes of station, buttock and waterline cuts.
+Judged are sections of bodies without NOSE, as far as their lines are conics (by shoulder point, rho
+or tangents), circles through points, straight lines, constants and copies; of others only the planes
+of station, buttock and waterline cuts.
 """
 from fractions import Fraction
 
@@ -36,11 +38,9 @@ class Straight:
 class Curve:
     """A conic of a chain."""
 
-    def __init__(self, fields):
-        self.conic = conic_of(fields[:8])
-        values = [real(field) for field in fields[:8]]
-        self.ends, self.p2 = (values[0], values[5]), (values[3], values[4])
-        self.size = self.conic.size
+    def __init__(self, conic, p1, p2, p3):
+        self.conic, self.p2, self.ends = conic, p2, (p1[0], p3[0])
+        self.size = conic.size
 
     def at(self, x):
         """Its ordinate, between the tangents and the chord; ValueError where that is not one."""
@@ -65,69 +65,139 @@ class Curve:
                    for l in (*self.conic.tangents, self.conic.chord))
 
 
+def rho_conic(p1, s1, p3, s3, rho):
+    """The conic of end points, end directions and rho; the shoulder point is opposite to the chord."""
+    (x1, y1), (x3, y3) = p1, p3
+    across = s1[0]*s3[1] - s1[1]*s3[0]
+    along = ((x3 - x1)*s3[1] - (y3 - y1)*s3[0])/across
+    tip = (x1 + along*s1[0], y1 + along*s1[1])
+    p2 = tuple((1 - rho)*(a + b)/2 + rho*t for a, b, t in zip(p1, p3, tip))
+    return Curve(Conic(p1, s1, p2, p3, s3), p1, p2, p3)
+
+
+def tangent_conic(p1, tip, p2, p3):
+    """The conic of end points, the point where their tangents meet, and the shoulder point."""
+    s1, s3 = ((tip[0] - p1[0], tip[1] - p1[1]), (p3[0] - tip[0], p3[1] - tip[1]))
+    return Curve(Conic(p1, s1, p2, p3, s3), p1, p2, p3)
+
+
+def circle(p1, p2, p3):
+    """The circle through three points, as a conic by its tangents."""
+    (ax, ay), (bx, by) = ((p[0] - p1[0], p[1] - p1[1]) for p in (p2, p3))
+    area = 2*(ax*by - ay*bx)
+    a, b = ax**2 + ay**2, bx**2 + by**2
+    centre = (p1[0] + (by*a - ay*b)/area, p1[1] + (ax*b - bx*a)/area)
+    s1, s3 = ((centre[1] - p[1], p[0] - centre[0]) for p in (p1, p3))
+    return Curve(Conic(p1, s1, p2, p3, s3), p1, p2, p3)
+
+
+def pairs(values):
+    """Numbers as points."""
+    return list(zip(values[::2], values[1::2]))
+
+
+def piece_of(f):
+    """A data card; nothing where it is not plain."""
+    word, last = f[0], {b'STRAIGHT': 5, b'CIRCLE': 7, b'RHO': 8, b'TANRHO': 8, b'TANGENT': 9}
+    count = last.get(word, 8)
+    if any(f[count:]) and [g for g in f[count:] if g] != [b'KNUCKLE']:
+        return None
+    try:
+        if word not in last:
+            v = [real(g) for g in f[:8]]
+            return Curve(conic_of(f[:8]), (v[0], v[1]), (v[3], v[4]), (v[5], v[6]))
+        v = [real(g) for g in f[1:count]]
+        if word == b'STRAIGHT':
+            return Straight(*v)
+        if word == b'CIRCLE':
+            return circle(*pairs(v))
+        if word == b'RHO':
+            return rho_conic((v[0], v[1]), direction(v[2]), (v[3], v[4]), direction(v[5]), v[6])
+        points = pairs(v[:6])
+        if word == b'TANRHO':
+            (x1, y1), (xt, yt), (x3, y3) = points
+            return rho_conic((x1, y1), (xt - x1, yt - y1), (x3, y3), (x3 - xt, y3 - yt), v[6])
+        return tangent_conic(*pairs(v))
+    except (ValueError, ZeroDivisionError):
+        return None
+
+
 class Body:
     """The lines and sections of a deck, where they are plain."""
 
+    SETTINGS = (b'VARY', b'TITLE', b'UNITS', b'*')
+    DATA = (b'RHO', b'TANGENT', b'TANRHO', b'FOURPT', b'FIVEPT', b'STRAIGHT', b'CIRCLE', b'RADIUS',
+            b'CBEZIER', b'BLEND')
+
     def __init__(self, deck):
-        self.lines, self.sections, self.planes = {}, {}, {}
-        chain = []
+        self.sections = {}
+        self.lines, self.chain, self.own = {}, [], []
         for line in deck.split(b'\n'):
             if not line.strip() or line.startswith(b'*'):
                 continue
             f = fields_of(line)
-            if f[0] in (b'BODY', b'NOSE', b'SYMMETRY', b'PATCH', b'FAIRED', b'+'):
-                raise ValueError(f[0])
             if f[0] == b'END':
                 break
-            if f[0] == b'LINE':
-                chain = []
-                if (f[1], f[2]) in self.lines:
-                    raise ValueError('a line twice')
-                self.lines[f[1], f[2]] = chain
-                if f[3]:
-                    chain.append(self.constant(f))
-            elif f[0] == b'SECTION':
-                if f[1] in self.sections:
-                    raise ValueError('a section twice')
-                self.sections[f[1]] = f
-            elif f[0] in (b'STATION', b'BUTTOCK', b'WATERLN'):
-                self.planes.setdefault(f[0].lower().replace(b'waterln', b'waterline'), []).append(f)
-            else:
-                chain.append(self.piece(f))
+            self.take(f)
+        self.forget_rounded()
 
-    @staticmethod
-    def constant(f):
-        """An ordinate that is the same everywhere."""
+    def take(self, f):
+        """A card of the deck."""
+        word = f[0]
+        if word == b'LINE':
+            self.chain = self.chain_of(f)
+            self.lines[f[1], f[2]] = None if (f[1], f[2]) in self.lines else self.chain
+        elif word == b'SECTION':
+            self.chain = []
+            self.own.append(f[1])
+            self.sections[f[1]] = None if f[1] in self.sections else (f, self.lines)
+        elif word == b'BODY':
+            self.forget_rounded()
+            self.lines, self.chain, self.own = {}, [], []
+        elif word == b'NOSE':
+            self.lines[b'NOSE', b'NOSE'] = []
+        elif word == b'+' and self.chain:
+            self.chain[-1] = None
+        elif word in self.DATA or word[:1].isdigit() or word[:1] in (b'-', b'+', b'.'):
+            self.chain.append(piece_of(f))
+        elif word[:1].isalpha() and word not in self.SETTINGS:
+            self.chain = []
+
+    def chain_of(self, f):
+        """The pieces of a line that its first card gives: a constant, or those of another line."""
+        if not f[3]:
+            return []
         try:
-            return real(f[3])
+            return [real(f[3])]
         except ValueError:
-            return None
+            return list(self.lines.get((f[3], f[2])) or [None])
+
+    def forget_rounded(self):
+        """Sections of a body with a nose are not conics all along."""
+        if (b'NOSE', b'NOSE') in self.lines:
+            self.sections.update(dict.fromkeys(self.own))
 
     @staticmethod
-    def piece(f):
-        """A data card; nothing where it is not plain."""
-        try:
-            if f[0] == b'STRAIGHT':
-                return Straight(*(real(v) for v in f[1:5]))
-            return Curve(f) if not any(f[8:]) else None
-        except (ValueError, ZeroDivisionError):
-            return None
-
-    def ordinate(self, name, view, x):
+    def ordinate(lines, name, view, x):
         """Of a line at a station; ValueError where it is not judged."""
-        for piece in self.lines.get((name, view), []):
+        for piece in lines.get((name, view)) or []:
             if piece is None:
                 break
             if isinstance(piece, Fraction):
                 return piece
             if min(piece.ends) < x < max(piece.ends):
                 return piece.at(x)
+        if view == b'PLAN' and (name, view) not in lines and (name, b'SIDE') in lines:
+            return Fraction(0)
         raise ValueError('no ordinate')
 
     def section(self, name, x):
         """The conic of a section at a station."""
-        f = self.sections[name]
-        points = [(self.ordinate(n, b'PLAN', x), self.ordinate(n, b'SIDE', x)) for n in f[2:5]]
+        f, lines = self.sections[name] or ([], {})
+        if not f:
+            raise ValueError('a name twice, or a nose')
+        points = [tuple(self.ordinate(lines, n, view, x) for view in (b'PLAN', b'SIDE'))
+                  for n in f[2:5]]
         slopes = [direction(real(v)) for v in f[5:7]]
         return Conic(points[0], slopes[0], points[1], points[2], slopes[1])
 
@@ -148,10 +218,7 @@ def cut_points(deck, table, most=200):
             judged += 1
             if plane.setdefault(row[0], value) != value:
                 wrong.append(f'{b",".join(row).decode()}: off its plane')
-    try:
-        body = Body(deck)
-    except ValueError:
-        return wrong[:3], judged
+    body = Body(deck)
     for row in rows[::max(1, len(rows)//most)]:
         try:
             sta, bl, wl = (Fraction(float(v)) for v in row[3:6])
@@ -160,7 +227,7 @@ def cut_points(deck, table, most=200):
             continue
         judged += 1
         size = max(conic.size, abs(bl), abs(wl), abs(sta))
-        if conic.distance((bl, wl)) > NEAR*size:
-            wrong.append(f'{b",".join(row).decode()}: {float(conic.distance((bl, wl))):.3g} '
-                         'off its section')
+        off = min(conic.distance((side*bl, wl)) for side in (1, -1))
+        if off > NEAR*size:
+            wrong.append(f'{b",".join(row).decode()}: {float(off):.3g} off its section')
     return wrong[:3], judged

@@ -3,13 +3,17 @@
 NUMBERS = """0. -0. 1. -1. .5 -.5 2. 1.E-8 -1.E-8 1.E8 1.E15 1.E-15 1.E30 1.E-30 -1.E30 1.E60
 1.E150 1.E-150 1.E300 1.E308 1.E-308 4.9E-324 1.8E308 1.E400 1.E-400 1E9999 NaN Inf -Inf 999.99
 999.999 9999999. .0000001 1.E5 100000. 89.9999 90. 90.0001 180. 179.999 1.E-3 3.14159 1.E22 1.-300
-9.E15 -999.999 1.E-5 .333333""".split()
+9.E15 -999.999 1.E-5 .333333 1.E-310 -1.E-310 2.2E-308 1.E154
+1.E-154 1.E200 5.00000001 11.2?1 ?.?? 9?. 1-2-3 0-11-7+""".split()
 
 WORDS = """BODY LINE SIDE PLAN ANGLE SECTION PATCH POINT FAIRED SPLINE BEZIER FAIR RHO TANGENT TANRHO
 FOURPT FIVEPT STRAIGHT CIRCLE RADIUS CBEZIER BLEND POINTS NUMBER LENGTH CHORD DEFAULT LIMIT NONE
 FLANGE AFT FWD SKIN ARCS STATION LIST BUTTOCK WATERLN OBLIQUE PLANE CHECK SPHERE BOX END MATCH
 KNUCKLE DXDY DXDY1 DXDY3 LAST CLOSE SYMMETRY NO YES NOSE TOLER OUTPUT DIGITS PAGE UNITS MM FEET FIE
-TITLE BOTH PORT STBD FLAT LINEAR TWIST UNIFORM FREE PARABOLA STA BL WL + *""".split()
+TITLE BOTH PORT STBD FLAT LINEAR TWIST UNIFORM FREE PARABOLA STA BL WL DUCT SWEEP GRID LATIN
+VARY TIED OBJECT MIN MAX NEAR SHOW VOLUME WETTED CENTROID AREA GIRTH WIDTH HEIGHT CLEAR JUMP BREAK
+AUDIT PRINTED ROUNDED TRUNCATE UNKNOWN EVEN 1970 DECIMAL CONICS SHIFT EXACT ABOUT BETWEEN ALONG X Y
+X1 Y1 S1 X2 Y2 X3 Y3 S3 A B C D E XI YI 3 2 1 0 + *""".split()
 
 PIECES = [b'\0', b'\r', b'\t', b'\x80', b'\xff', b'\xef\xbb\xbf', b'\xc3\xa9', b'\x1b[2J', b'"', b"'",
           b'`', b'$(', b';', b',', b'\n', b'*', b'+', b'-', b'.', b'E', b'\f', b'%n', b'\\', b'\x0b']
@@ -153,10 +157,9 @@ def spoil_file(rng, lines, _):
         lines[:] = lines[at:] + lines[:at]
 
 
-def mutant(rng, decks):
-    """A spoiled deck: one of `decks` (lists of cards), changed in a few places."""
-    lines = list(rng.choice(decks))
-    other = rng.choice(decks)
+def mutant(rng, deck, other):
+    """A spoiled deck: a list of cards, changed in a few places, some taken from another."""
+    lines = list(deck)
     kinds = [spoil_field]*12 + [spoil_cards]*4 + [spoil_bytes]*2 + [spoil_file]
     for _ in range(1 + min(int(rng.expovariate(1.)), 9)):
         rng.choice(kinds)(rng, lines, other)

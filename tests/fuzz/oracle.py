@@ -9,6 +9,8 @@ from fractions import Fraction
 
 PLAIN = re.compile(rb' *[-+]?(\d+\.\d*|\.\d+) *$')
 ULP = Fraction(1, 2**52)
+#: A slope of this size is vertical.
+VERTICAL = Fraction(float('999.99'))
 REPORTS = re.compile(rb'runtime error|AddressSanitizer|LeakSanitizer|Fortran runtime|Backtrace|'
                      rb'SIG[A-Z]{3,}|or at fault|core dumped|At line \d+ of file|stack smashing|free\(\)')
 BAD = re.compile(rb'(?<![A-Za-z])(nan|-?infinity)(?![A-Za-z])', re.I)
@@ -105,7 +107,7 @@ def real(field):
 
 def direction(slope):
     """A punched slope as (dx, dy)."""
-    return (Fraction(0), Fraction(1)) if slope >= Fraction(99999, 100) else (Fraction(1), slope)
+    return (Fraction(0), Fraction(1)) if abs(slope) >= VERTICAL else (Fraction(1), slope)
 
 
 def cards_1970(deck):
@@ -114,7 +116,7 @@ def cards_1970(deck):
         line = line.rstrip(b'\r')
         if not line.strip() or line.startswith(b'*'):
             continue
-        if line.strip()[:1].isalpha():
+        if line[:8].strip()[:1].isalpha():
             continue
         try:
             x1 = real(line[:8])
@@ -133,7 +135,7 @@ def conic_of(fields):
     x1, y1, s1, x2, y2, x3, y3, s3 = (real(field) for field in fields)
     conic = Conic((x1, y1), direction(s1), (x2, y2), (x3, y3), direction(s3))
     for s in (s1, s3):
-        if s < Fraction(99999, 100) and abs(y3 - y1 - s*(x3 - x1)) <= abs(x3 - x1)/10**4:
+        if abs(s) < VERTICAL and abs(y3 - y1 - s*(x3 - x1)) <= abs(x3 - x1)/10**4:
             raise ValueError('a tangent along the chord')
     return conic
 
