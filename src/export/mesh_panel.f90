@@ -46,13 +46,17 @@ contains
         type(error_type), allocatable, intent(out) :: error !! see above
         type(mesh_type) :: tried
         real(dp) :: aim
-        integer :: i, try
+        integer :: i, try, cells(2), before(2)
 
         do i = 1, size(panels)
             aim = tolerance
+            before = 0
             do try = 1, most_tries
+                cells = grid_cells(panels(i), aim, angle)
+                if (all(cells == before)) exit
+                before = cells
                 tried = mesh
-                call add_panel(panels(i), grid_cells(panels(i), aim, angle), is_half, tried)
+                call add_panel(panels(i), cells, is_half, tried)
                 associate (part => tried%parts(size(tried%parts)))
                     if (part%error <= tolerance) exit
                     aim = closer*aim*tolerance/part%error

@@ -12,7 +12,7 @@ ULP = Fraction(1, 2**52)
 #: A slope of this size is vertical.
 VERTICAL = Fraction(float('999.99'))
 REPORTS = re.compile(rb'runtime error|AddressSanitizer|LeakSanitizer|Fortran runtime|Backtrace|'
-                     rb'SIG[A-Z]{3,}|or at fault|core dumped|At line \d+ of file|stack smashing|free\(\)')
+                     rb'\bSIG(?:SEGV|FPE|ABRT|BUS|ILL)\b|or at fault|core dumped|At line \d+ of file|stack smashing|free\(\)')
 BAD = re.compile(rb'(?<![A-Za-z])(nan|-?infinity)(?![A-Za-z])', re.I)
 
 
