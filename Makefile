@@ -213,7 +213,7 @@ SEED    := 1
 # Long proofs: programs and scripts of tests/soak, one after the other (MINUTES=5 SEED=7).
 soak: $(LOFT) $(SOAKS)              ## breaks LOFT for MINUTES, or fails to (SEED)
 	@$(MAKE) MODE=debug all
-	@$(MAKE) MODE=sanitize all library
+	@$(MAKE) MODE=sanitize all $(BUILD)/sanitize/libloft.a
 	@LOFT=$(abspath $(LOFT)) ROOT=$(CURDIR) BUILD=$(abspath $(BUILD)) MINUTES=$(MINUTES) \
 	    SEED=$(SEED) prove --failures --comments --exec '' $(SOAKS) $(HOURS)
 
