@@ -1,6 +1,6 @@
 !> The conic of a card as the 1970 program set it up, `A x**2 + B x y + C y**2 + D x + E y = -1`,
-!> with the origin shifted so that no point is near it, but solved with pivoting and refinement: a
-!> check on the arc, and on what the shift does to the condition.
+!> with the origin shifted so that no point is near it, but solved by LAPACK: a check on the arc,
+!> and on what the shift does to the condition.
 !>
 !> Source: SAE 700202, "Determining aircraft contours by computer", appendix A: three rows
 !> `x**2, x y, y**2, x, y, -1` for the points, two rows `2 x, y + s x, 2 s y, 1, s, 0` for the
@@ -10,7 +10,7 @@ module geom_shifted
     use base_kinds, only: dp
     use geom_arc, only: arc_type, end_type
     use geom_arc_rows, only: coordinates, places_type, terms_of, terms_type
-    use geom_five, only: solve_five
+    use geom_lapack, only: solve
     use geom_twofold_same, only: exact_difference, rows_at_once
     implicit none (type, external)
     private
@@ -48,7 +48,7 @@ contains
         matrix(3, :) = point_row(finish%point + shift)
         matrix(4, :) = tangent_row(start%point + shift, start%tangent)
         matrix(5, :) = tangent_row(finish%point + shift, finish%tangent)
-        call solve_five(matrix, [-1.0_dp, -1.0_dp, -1.0_dp, 0.0_dp, 0.0_dp], conic%coefficient, &
+        call solve(matrix, [-1.0_dp, -1.0_dp, -1.0_dp, 0.0_dp, 0.0_dp], conic%coefficient, &
             conic%rcond, error)
     end subroutine solve_shifted
 
