@@ -77,7 +77,6 @@ contains
             end do
         end do
         call print_sides(side)
-        call print_profile()
         call print_growth(loft, deck)
         call execute_command_line('rm -f '//quoted(deck)//' '//target_file)
     end subroutine compare
@@ -124,17 +123,6 @@ contains
         end do
         call say('')
     end subroutine print_sides
-
-    !> Prints where the time of a listing goes: what callgrind counts, which no run here measures.
-    subroutine print_profile()
-        call say('Of the instructions of a listing (`valgrind --tool=callgrind`), 37 % work and')
-        call say('write the rows (figures 15, values 10, rounding 6), 24 % the facts of the card')
-        call say('(equations held against 25 exact points of the arc 14, five of them solved 5,')
-        call say('length 3), 14 % the lines above the table, 8 % read the card, 6 % turn pages,')
-        call say('5 % find the arc. What the system takes to write comes on top: `write alone`')
-        call say('is the floor. Rows and writing alone would take not quite half the time.')
-        call say('')
-    end subroutine print_profile
 
     !> Prints how the time of a listing grows with the cards.
     subroutine print_growth(loft, deck)
