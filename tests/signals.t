@@ -17,7 +17,7 @@ start() {
 }
 # Sends the signal, keeps the status.
 stop() {
-    kill -"$1" $run
+    kill -"$1" $run 2> /dev/null
     wait $run 2> /dev/null
     status=$?
 }
