@@ -113,18 +113,19 @@ contains
         type(sample_type), intent(in) :: sample !! along an arc
         real(dp), intent(in) :: longest         !! tooth, deck units
         type(comb_type), intent(inout) :: comb  !! with its factor
-        type(drawn_stroke_type) :: ridge
+        type(drawn_stroke_type) :: ridge, across
         real(dp) :: tooth
         integer :: i
 
+        allocate (across%at(2, 2))
         if (size(sample%curvature) == 0) return
         allocate (ridge%at, source=sample%at)
         do i = 1, size(sample%curvature)
             tooth = -max(-longest, min(longest, comb%factor*sample%curvature(i)))
             ridge%at(:, i) = sample%at(:, i) + tooth*sample%outwards(:, i)
             if (modulo(i, points_a_tooth) /= 1 .and. i /= size(sample%curvature)) cycle
-            comb%tooth = [comb%tooth, &
-                drawn_stroke_type(reshape([sample%at(:, i), ridge%at(:, i)], [2, 2]))]
+            across%at = reshape([sample%at(:, i), ridge%at(:, i)], [2, 2])
+            comb%tooth = [comb%tooth, across]
         end do
         comb%ridge = [comb%ridge, ridge]
     end subroutine add_teeth
