@@ -1,6 +1,8 @@
 #!/bin/sh
 # What runs in several threads at once has no variables in one place for all of them: neither its own
-# nor those that gfortran makes for the length of a text (`slen`, see src/base/length.f90).
+# nor those that gfortran makes for the length of a text of deferred length (`slen`, see
+# src/base/text.f90). That is all that the library is made of, and what the program runs side by side:
+# cards, sweeps and audits. Drawings, and rows and summaries of a sweep, are written by one thread.
 cd "${ROOT:?}" || exit 1
 . tests/support/tap.sh
 
@@ -10,20 +12,25 @@ if ! command -v nm > /dev/null || [ ! -d "$objects/src" ]; then
     echo '1..0 # SKIP nm and the objects of the build are needed'
     exit 0
 fi
-for object in "$objects"/src/geom/*.o "$objects"/src/body/*.o "$objects"/src/base/text.o \
-    "$objects"/src/base/length.o "$objects"/src/base/list.o "$objects"/src/base/order.o \
-    "$objects"/src/cut/*.o "$objects"/src/deck/conic_card.o "$objects"/src/deck/number.o \
-    "$objects"/src/period/*.o "$objects"/src/report/card_block.o "$objects"/src/report/csv.o \
-    "$objects"/src/report/row_text.o "$objects"/src/app/run_card.o "$objects"/src/base/digits.o \
-    "$objects"/src/base/shortest.o "$objects"/src/base/fault.o "$objects"/src/base/column.o; do
-    # Patches are built by one thread; a sweep has none.
-    case $object in */build_sides.o) continue ;; esac
-    nm "$object" 2> /dev/null | awk -v object="${object##*/src/}" \
-        '$2 ~ /^[bBdDC]$/ && $3 !~ /^_?_(def_init|vtab|copy)|__def_init|__vtab|^options\.|jumptable/ { print object, $3 }'
-done > /tmp/loft-threads.$$
-[ ! -s /tmp/loft-threads.$$ ]
-ok $? 'geometry, cuts, measures and cards keep nothing between calls' "$(cat /tmp/loft-threads.$$)"
-rm -f /tmp/loft-threads.$$
+
+# Variables of objects. Tables of types, their first values, and jump tables are only read.
+variables() {
+    nm -A "$@" 2>&1 | awk '$2 ~ /^[bBdDC]$/ && $3 !~ /^__.*_MOD_?_?__(def_init|vtab)_|^__(def_init|vtab|copy)_|^A\.|^jumptable|^options\./
+        !/:/ || /no symbols|No such/'
+}
+library=$(awk '$1 ~ /libloft\.o:$/ { print $2 }' "$objects/order.mk" | grep '\.o$' | sort -u)
+[ "$(echo "$library" | wc -l)" -gt 200 ]
+ok $? "the library has its objects: $(echo "$library" | wc -l)"
+kept=$(variables $library)
+[ -z "$kept" ]
+ok $? 'no object of the library keeps anything between calls' "$kept"
+kept=$(variables "$objects/src/app/run_card.o" $(find "$objects/src" -name '*.o' ! -path '*/app/*' \
+    ! -path '*/export/*' ! -name record.o ! -name summary.o ! -name work.o))
+[ -z "$kept" ]
+ok $? 'nor does what the program runs side by side' "$kept"
+locked=$(nm -A -u $library | grep 'GOMP_critical')
+[ -z "$locked" ]
+ok $? 'no thread in the library waits for another' "$locked"
 
 # Vectors of sines and the like are those of the C library, whose last digits depend on the processor.
 vectors=$(find "$objects/src" -name '*.o' -exec nm -A -u {} + 2> /dev/null | grep ' _ZGV')

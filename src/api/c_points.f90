@@ -1,8 +1,7 @@
 !> What is in a cut, for C; see `loft.h`.
 module api_c_points
     use, intrinsic :: ieee_arithmetic, only: ieee_positive_inf, ieee_value
-    use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_int, c_int32_t, &
-        c_ptr, c_size_t
+    use, intrinsic :: iso_c_binding, only: c_char, c_double, c_int, c_int32_t, c_ptr, c_size_t
     use api_c_cut, only: cut_of
     use api_c_text, only: copied
     use api_loft, only: cut_type, point_type
@@ -12,6 +11,18 @@ module api_c_points
     public :: loft_cut_kind, loft_cut_name, loft_cut_point_count, loft_cut_points
     public :: loft_cut_outline_count, loft_cut_outline_is_closed, loft_cut_section_name
     public :: loft_cut_note_count, loft_cut_note
+
+    !> What a cut has one or many of.
+    type :: thing_list
+        integer :: name = 1 !! one
+        integer :: point = 2
+        integer :: outline = 3
+        integer :: section = 4
+        integer :: note = 5
+    end type thing_list
+
+    !> The same by name: `thing%point`.
+    type(thing_list), parameter :: thing = thing_list()
 
     !> A point: `loft_point`.
     type, bind(c) :: c_point_type
@@ -38,51 +49,25 @@ contains
         if (associated(held)) kind_of = int(held%kind, c_int)
     end function loft_cut_kind
 
-    !> The name of a cut.
-    integer(c_size_t) function loft_cut_name(cut, room, bytes) &
-        bind(c, name='loft_cut_name') result(length)
-        type(c_ptr), value :: cut               !! a handle, or null
-        type(c_ptr), value :: room              !! where it goes, or null
-        integer(c_size_t), value :: bytes       !! there
-        type(cut_type), pointer :: held
-        character(:), allocatable :: text
-
-        text = ''
-        held => cut_of(cut)
-        if (associated(held)) then
-            text = trim(held%name)
-        end if
-        length = copied(text, room, bytes)
-    end function loft_cut_name
-
     !> The number of points.
     integer(c_int) function loft_cut_point_count(cut) &
         bind(c, name='loft_cut_point_count') result(count)
         type(c_ptr), value :: cut !! a handle, or null
-        type(cut_type), pointer :: held
-        count = 0_c_int
-        held => cut_of(cut)
-        if (associated(held)) count = int(size(held%points), c_int)
+        count = count_of(cut, thing%point)
     end function loft_cut_point_count
 
     !> The number of outlines.
     integer(c_int) function loft_cut_outline_count(cut) &
         bind(c, name='loft_cut_outline_count') result(count)
         type(c_ptr), value :: cut !! a handle, or null
-        type(cut_type), pointer :: held
-        count = 0_c_int
-        held => cut_of(cut)
-        if (associated(held)) count = int(size(held%is_closed), c_int)
+        count = count_of(cut, thing%outline)
     end function loft_cut_outline_count
 
     !> The number of notes.
     integer(c_int) function loft_cut_note_count(cut) &
         bind(c, name='loft_cut_note_count') result(count)
         type(c_ptr), value :: cut !! a handle, or null
-        type(cut_type), pointer :: held
-        count = 0_c_int
-        held => cut_of(cut)
-        if (associated(held)) count = int(size(held%notes), c_int)
+        count = count_of(cut, thing%note)
     end function loft_cut_note_count
 
     !> 1 where an outline comes back to its first point.
@@ -93,68 +78,56 @@ contains
         type(cut_type), pointer :: held
 
         is_closed = 0_c_int
+        if (outline < 1 .or. outline > count_of(cut, thing%outline)) return
         held => cut_of(cut)
-        if (.not. associated(held)) return
-        if (outline < 1 .or. outline > size(held%is_closed)) return
         is_closed = merge(1_c_int, 0_c_int, held%is_closed(outline))
     end function loft_cut_outline_is_closed
+
+    !> The name of a cut.
+    integer(c_size_t) function loft_cut_name(cut, room, bytes) &
+        bind(c, name='loft_cut_name') result(length)
+        type(c_ptr), value :: cut                                   !! a handle, or null
+        character(kind=c_char), intent(inout), optional :: room(*)  !! where it goes
+        integer(c_size_t), value :: bytes                           !! there
+        length = said(cut, thing%name, 1_c_int, room, bytes)
+    end function loft_cut_name
 
     !> The name of a section that points are of.
     integer(c_size_t) function loft_cut_section_name(cut, section, room, bytes) &
         bind(c, name='loft_cut_section_name') result(length)
-        type(c_ptr), value :: cut               !! a handle, or null
-        integer(c_int), value :: section             !! from 1
-        type(c_ptr), value :: room              !! where it goes, or null
-        integer(c_size_t), value :: bytes       !! there
-        type(cut_type), pointer :: held
-        character(:), allocatable :: text
-
-        text = ''
-        held => cut_of(cut)
-        if (associated(held)) then
-            if (section >= 1 .and. section <= size(held%sections)) &
-                text = trim(held%sections(section))
-        end if
-        length = copied(text, room, bytes)
+        type(c_ptr), value :: cut                                   !! a handle, or null
+        integer(c_int), value :: section                            !! from 1
+        character(kind=c_char), intent(inout), optional :: room(*)  !! where it goes
+        integer(c_size_t), value :: bytes                           !! there
+        length = said(cut, thing%section, section, room, bytes)
     end function loft_cut_section_name
 
     !> A note: what the user will want to know of a cut.
     integer(c_size_t) function loft_cut_note(cut, number, room, bytes) &
         bind(c, name='loft_cut_note') result(length)
-        type(c_ptr), value :: cut               !! a handle, or null
-        integer(c_int), value :: number              !! of the note, from 1
-        type(c_ptr), value :: room              !! where it goes, or null
-        integer(c_size_t), value :: bytes       !! there
-        type(cut_type), pointer :: held
-        character(:), allocatable :: text
-
-        text = ''
-        held => cut_of(cut)
-        if (associated(held)) then
-            if (number >= 1 .and. number <= size(held%notes)) &
-                text = held%notes(number)%message
-        end if
-        length = copied(text, room, bytes)
+        type(c_ptr), value :: cut                                   !! a handle, or null
+        integer(c_int), value :: number                             !! of the note, from 1
+        character(kind=c_char), intent(inout), optional :: room(*)  !! where it goes
+        integer(c_size_t), value :: bytes                           !! there
+        length = said(cut, thing%note, number, room, bytes)
     end function loft_cut_note
 
     !> Copies points of a cut; how many there were.
     integer(c_int) function loft_cut_points(cut, first, count, points) &
         bind(c, name='loft_cut_points') result(copies)
-        type(c_ptr), value :: cut           !! a handle, or null
-        integer(c_int), value :: first      !! the first of them, from 1
-        integer(c_int), value :: count      !! how many at most
-        type(c_ptr), value :: points        !! room for so many, or null
+        type(c_ptr), value :: cut                                   !! a handle, or null
+        integer(c_int), value :: first                              !! the first of them, from 1
+        integer(c_int), value :: count                              !! how many at most
+        type(c_point_type), intent(inout), optional :: points(*)    !! room for so many
         type(cut_type), pointer :: held
-        type(c_point_type), pointer :: place(:)
         integer :: i
 
         copies = 0_c_int
+        if (.not. present(points) .or. first < 1) return
+        copies = max(0_c_int, min(count, count_of(cut, thing%point) - (first - 1_c_int)))
         held => cut_of(cut)
-        if (.not. associated(held) .or. .not. c_associated(points) .or. first < 1) return
-        copies = max(0_c_int, min(count, int(size(held%points), c_int) - (first - 1_c_int)))
-        call c_f_pointer(points, place, [copies])
         do i = 1, copies
-            place(i) = point_of(held%points(first - 1 + i))
+            points(i) = point_of(held%points(first - 1 + i))
         end do
     end function loft_cut_points
 
@@ -174,5 +147,53 @@ contains
             merge(4, 0, made%has_normal), c_int32_t)
         point%spare = 0_c_int32_t
     end function point_of
+
+    !> How many of a thing a cut has; none where the handle is null.
+    integer(c_int) function count_of(handle, what) result(count)
+        type(c_ptr), intent(in) :: handle   !! of C
+        integer, intent(in) :: what         !! one of `thing%...`
+        type(cut_type), pointer :: cut
+
+        count = 0_c_int
+        cut => cut_of(handle)
+        if (.not. associated(cut)) return
+        select case (what)
+        case (thing%name)
+            count = 1_c_int
+        case (thing%point)
+            count = size(cut%points, kind=c_int)
+        case (thing%outline)
+            count = size(cut%is_closed, kind=c_int)
+        case (thing%section)
+            count = size(cut%sections, kind=c_int)
+        case default
+            count = size(cut%notes, kind=c_int)
+        end select
+    end function count_of
+
+    !> Copies what a cut says of a thing; nothing where it has none of that number.
+    integer(c_size_t) function said(handle, what, number, room, bytes) result(length)
+        type(c_ptr), intent(in) :: handle                           !! of C
+        integer, intent(in) :: what                                 !! one of `thing%...`
+        integer(c_int), intent(in) :: number                        !! which, from 1
+        character(kind=c_char), intent(inout), optional :: room(*)  !! where it goes
+        integer(c_size_t), intent(in) :: bytes                      !! there
+        type(cut_type), pointer :: cut
+        character(:), allocatable :: words
+
+        words = ''
+        cut => cut_of(handle)
+        if (number >= 1 .and. number <= count_of(handle, what)) then
+            select case (what)
+            case (thing%name)
+                words = trim(cut%name)
+            case (thing%section)
+                words = trim(cut%sections(number))
+            case default
+                words = cut%notes(number)%message
+            end select
+        end if
+        length = copied(words, room, bytes)
+    end function said
 
 end module api_c_points

@@ -3,8 +3,8 @@ module api_c_table
     use, intrinsic :: ieee_arithmetic, only: ieee_positive_inf, ieee_value
     use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_int, c_loc, &
         c_null_ptr, c_ptr
-    use api_c_deck, only: deck_of
-    use api_c_error, only: hand_over, refuse
+    use api_c_deck, only: find_deck
+    use api_c_error, only: hand_over
     use api_loft, only: conic_table, deck_type, error_type, row_type
     implicit none (type, external)
     private
@@ -29,22 +29,19 @@ contains
     !> The table of a conic card by steps of an axis; null where that fails.
     type(c_ptr) function loft_deck_table(deck, card, axis, error) bind(c, name='loft_deck_table') &
         result(handle)
-        type(c_ptr), value :: deck          !! a handle
-        integer(c_int), value :: card       !! from 1
-        integer(c_int), value :: axis       !! 1: by steps of X, 2: of Y
-        type(c_ptr), value :: error         !! gets why it fails, or null
+        type(c_ptr), value :: deck                      !! a handle
+        integer(c_int), value :: card                   !! from 1
+        integer(c_int), value :: axis                   !! 1: by steps of X, 2: of Y
+        type(c_ptr), intent(out), optional :: error     !! gets why it fails
         type(deck_type), pointer :: held
         type(table_type), pointer :: table
         type(error_type), allocatable :: trouble
 
         handle = c_null_ptr
         allocate (table)
-        held => deck_of(deck)
-        if (associated(held)) then
+        call find_deck(deck, held, trouble)
+        if (.not. allocated(trouble)) &
             call conic_table(held, int(card), int(axis), table%row, trouble)
-        else
-            call refuse('the deck', trouble)
-        end if
         if (allocated(trouble)) then
             deallocate (table)
         else
@@ -54,16 +51,13 @@ contains
     end function loft_deck_table
 
     !> Frees a table.
-    subroutine loft_table_free(slot) bind(c, name='loft_table_free')
-        type(c_ptr), value :: slot !! address of the handle, which becomes NULL
+    subroutine loft_table_free(handle) bind(c, name='loft_table_free')
+        type(c_ptr), intent(inout), optional :: handle !! becomes NULL
         type(table_type), pointer :: table
-        type(c_ptr), pointer :: handle
 
-        if (.not. c_associated(slot)) return
-        call c_f_pointer(slot, handle)
-        if (.not. c_associated(handle)) return
-        call c_f_pointer(handle, table)
-        deallocate (table)
+        if (.not. present(handle)) return
+        table => table_of(handle)
+        if (associated(table)) deallocate (table)
         handle = c_null_ptr
     end subroutine loft_table_free
 
@@ -72,39 +66,46 @@ contains
         result(count)
         type(c_ptr), value :: table !! a handle, or null
         type(table_type), pointer :: held
-
         count = 0_c_int
-        if (.not. c_associated(table)) return
-        call c_f_pointer(table, held)
-        count = int(size(held%row), c_int)
+        held => table_of(table)
+        if (associated(held)) count = size(held%row, kind=c_int)
     end function loft_table_row_count
 
     !> Copies rows of a table; how many there were.
     integer(c_int) function loft_table_rows(table, first, count, rows) &
         bind(c, name='loft_table_rows') result(copies)
-        type(c_ptr), value :: table         !! a handle, or null
-        integer(c_int), value :: first      !! the first of them, from 1
-        integer(c_int), value :: count      !! how many at most
-        type(c_ptr), value :: rows          !! room for so many, or null
+        type(c_ptr), value :: table                             !! a handle, or null
+        integer(c_int), value :: first                          !! the first of them, from 1
+        integer(c_int), value :: count                          !! how many at most
+        type(c_row_type), intent(inout), optional :: rows(*)    !! room for so many
         type(table_type), pointer :: held
-        type(c_row_type), pointer :: place(:)
         integer :: i
 
         copies = 0_c_int
-        if (.not. c_associated(table) .or. .not. c_associated(rows) .or. first < 1) return
-        call c_f_pointer(table, held)
-        copies = max(0_c_int, min(count, int(size(held%row), c_int) - (first - 1_c_int)))
-        call c_f_pointer(rows, place, [copies])
+        held => table_of(table)
+        if (.not. associated(held) .or. .not. present(rows) .or. first < 1) return
+        copies = max(0_c_int, min(count, size(held%row, kind=c_int) - (first - 1_c_int)))
         do i = 1, copies
-            associate (row => held%row(first - 1 + i))
-                place(i)%x = real(row%x, c_double)
-                place(i)%y = real(row%y, c_double)
-                place(i)%slope = real(row%slope%value, c_double)
-                if (row%slope%is_vertical) &
-                    place(i)%slope = ieee_value(place(i)%slope, ieee_positive_inf)
-                place(i)%curvature = real(row%curvature, c_double)
-            end associate
+            rows(i) = c_row(held%row(first - 1 + i))
         end do
     end function loft_table_rows
+
+    !> A row as C has it.
+    type(c_row_type) function c_row(made) result(row)
+        type(row_type), intent(in) :: made !! of a table
+        row%x = real(made%x, c_double)
+        row%y = real(made%y, c_double)
+        row%slope = real(made%slope%value, c_double)
+        if (made%slope%is_vertical) row%slope = ieee_value(row%slope, ieee_positive_inf)
+        row%curvature = real(made%curvature, c_double)
+    end function c_row
+
+    !> The table behind a handle; not associated where the handle is null.
+    function table_of(handle) result(table)
+        type(c_ptr), intent(in) :: handle !! of C
+        type(table_type), pointer :: table
+        table => null()
+        if (c_associated(handle)) call c_f_pointer(handle, table)
+    end function table_of
 
 end module api_c_table

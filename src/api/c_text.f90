@@ -1,7 +1,6 @@
 !> Texts between C and Fortran: C's read, ours copied into the room of the caller.
 module api_c_text
-    use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_f_pointer, c_null_char, c_ptr, &
-        c_size_t
+    use, intrinsic :: iso_c_binding, only: c_char, c_null_char, c_size_t
     use base_utf8, only: character_length
     implicit none (type, external)
     private
@@ -10,9 +9,9 @@ module api_c_text
 
     interface
         !> Bytes before the null.
-        integer(c_size_t) function c_strlen(text) bind(c, name='strlen')
-            import :: c_ptr, c_size_t
-            type(c_ptr), value :: text !! ends with a null
+        pure integer(c_size_t) function c_strlen(text) bind(c, name='strlen')
+            import :: c_char, c_size_t
+            character(kind=c_char), intent(in) :: text(*) !! ends with a null
         end function c_strlen
     end interface
 
@@ -21,20 +20,18 @@ contains
     !> Copies a text into the room of a caller, a null behind it; of a text that is too long as many
     !> whole characters as there is room for. Returns the bytes of the whole text.
     integer(c_size_t) function copied(text, room, bytes) result(length)
-        character(*), intent(in) :: text            !! what to copy
-        type(c_ptr), intent(in) :: room             !! where to, or null: only the length is asked
-        integer(c_size_t), intent(in) :: bytes      !! there, the null included
-        character(kind=c_char), pointer :: letter(:)
+        character(*), intent(in) :: text                            !! what to copy
+        character(kind=c_char), intent(inout), optional :: room(*)  !! where to, if it is wanted
+        integer(c_size_t), intent(in) :: bytes                      !! there, the null included
         integer :: i, last
 
         length = len(text, c_size_t)
-        if (.not. c_associated(room) .or. bytes < 1_c_size_t) return
+        if (.not. present(room) .or. bytes < 1_c_size_t) return
         last = whole_characters(text, int(min(length, bytes - 1_c_size_t)))
-        call c_f_pointer(room, letter, [last + 1])
         do i = 1, last
-            letter(i) = text(i:i)
+            room(i) = text(i:i)
         end do
-        letter(last + 1) = c_null_char
+        room(last + 1) = c_null_char
     end function copied
 
     !> The most bytes of a text, up to a limit, that cut no character in two.
@@ -51,24 +48,21 @@ contains
     end function whole_characters
 
     !> A text of C.
-    function text_of_c(text) result(copy)
-        type(c_ptr), intent(in) :: text !! not null; ends with a null
-        character(:), allocatable :: copy
+    pure function text_of_c(text) result(copy)
+        character(kind=c_char), intent(in) :: text(*) !! ends with a null
+        character(c_strlen(text)) :: copy
         copy = text_of_bytes(text, c_strlen(text))
     end function text_of_c
 
     !> Bytes of C as a text.
-    function text_of_bytes(bytes, length) result(copy)
-        type(c_ptr), intent(in) :: bytes            !! not null
-        integer(c_size_t), intent(in) :: length     !! how many there are
-        character(:), allocatable :: copy
-        character(kind=c_char), pointer :: letter(:)
+    pure function text_of_bytes(bytes, length) result(copy)
+        character(kind=c_char), intent(in) :: bytes(*)  !! any
+        integer(c_size_t), intent(in) :: length         !! how many there are
+        character(length) :: copy
         integer(c_size_t) :: i
 
-        call c_f_pointer(bytes, letter, [length])
-        allocate (character(length) :: copy)
         do i = 1, length
-            copy(i:i) = letter(i)
+            copy(i:i) = bytes(i)
         end do
     end function text_of_bytes
 

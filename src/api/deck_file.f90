@@ -39,7 +39,7 @@ contains
         if (c_associated(file%stream)) then
             call source%attach(c_fileno(file%stream))
         else
-            call fail(error, cause%file_trouble, name//': '//last_error())
+            call fail(error, cause%file_trouble, name//': '//trim(last_error()))
         end if
     end subroutine open_deck
 

@@ -12,12 +12,9 @@
 !>     print *, cut%points(1)%at
 !>
 !> A deck is plain data and owns all it holds: it is copied by assignment, freed when it goes out of
-!> scope, and does not change once it is loaded, so that threads may share it. Nothing is kept
-!> between calls; nothing prints or stops.
-!>
-!> GNU Fortran keeps the length of a function's text, where it is not known before, in a place that
-!> all threads share (seen in version 12). So only one thread at a time is let into the procedures
-!> that make texts: all that fail. The others wait.
+!> scope, and does not change once it is loaded. Nothing is kept between calls; nothing prints or
+!> stops. Any number of threads may call these procedures at once, on decks of their own or on one
+!> that they share, and none waits for another.
 module api_loft
     use api_cut, only: asked_type, cut_asked, cut_listed, cut_type, find_body, is_coordinate, &
         point_type
@@ -27,8 +24,10 @@ module api_loft
     use base_error, only: cause, error_type, fail
     use base_fault, only: fault_list_type, fault_type, severity
     use base_kinds, only: dp
-    use base_text, only: to_text
+    use base_text, only: compact, to_text
     use body_card_tables, only: card_table_type, tables_of_card
+    use cut_duct, only: duct_measure_type, duct_section_type, outlines_of_duct => measure_duct, &
+        measure_duct_at
     use cut_measure, only: measure_section, section_measure_type
     use cut_measure_body, only: body_measure_type, measure_body
     use cut_plane, only: cut_kind
@@ -42,6 +41,7 @@ module api_loft
     public :: asked_type, at_station, at_buttock, at_waterline, at_plane, cut_kind, cut_rule
     public :: cut_type, point_type, cut_deck, listed_cut
     public :: body_measure_type, section_measure_type, measure_deck, measure_station
+    public :: duct_measure_type, duct_section_type, measure_duct, measure_duct_station
     public :: row_type, conic_table
     public :: error_type, cause, fault_type, severity, loft_version
 
@@ -55,17 +55,6 @@ contains
         character(*), intent(in) :: path                    !! as it is: trim it where it is padded
         type(deck_type), intent(out) :: deck                !! the deck
         type(error_type), allocatable, intent(out) :: error !! see above
-
-        !$omp critical (loft)
-        call read_file(path, deck, error)
-        !$omp end critical (loft)
-    end subroutine load_deck
-
-    !> Reads a deck from a file. Fails as `load_deck`.
-    subroutine read_file(path, deck, error)
-        character(*), intent(in) :: path                    !! as it is
-        type(deck_type), intent(out) :: deck                !! the deck
-        type(error_type), allocatable, intent(out) :: error !! see above
         type(deck_file_type) :: file
         type(source_type) :: source
         character(:), allocatable :: name
@@ -77,7 +66,7 @@ contains
         call read_deck(source, deck, error)
         call file%close()
         if (allocated(error)) error%message = path//': '//error%message
-    end subroutine read_file
+    end subroutine load_deck
 
     !> Loads a deck from a text in memory, lines with line feeds between them.
     subroutine parse_deck(text, deck)
@@ -87,9 +76,7 @@ contains
         type(error_type), allocatable :: none
 
         call source%from_text(text)
-        !$omp critical (loft)
         call read_deck(source, deck, none)
-        !$omp end critical (loft)
     end subroutine parse_deck
 
     !> True where a card of a deck is in error, not merely warned of.
@@ -141,9 +128,7 @@ contains
         type(cut_type), intent(out) :: cut                  !! the points
         type(error_type), allocatable, intent(out) :: error !! see above
 
-        !$omp critical (loft)
         call cut_asked(deck, asked, cut, error)
-        !$omp end critical (loft)
     end subroutine cut_deck
 
     !> A cut that the deck itself asks for: one of `deck%cuts`, as `loft run --format csv` counts.
@@ -155,9 +140,7 @@ contains
         type(cut_type), intent(out) :: cut                  !! the points
         type(error_type), allocatable, intent(out) :: error !! see above
 
-        !$omp critical (loft)
         call cut_listed(deck, number, cut, error)
-        !$omp end critical (loft)
     end subroutine listed_cut
 
     !> Volume, centroid and wetted area of a body, of both halves where it is symmetric.
@@ -171,11 +154,9 @@ contains
         real(dp), allocatable :: stations(:)
 
         allocate (stations(0))
-        !$omp critical (loft)
         call find_body(deck, body, error)
         if (.not. allocated(error)) &
             call measure_body(deck%bodies(body)%body, stations, measure)
-        !$omp end critical (loft)
     end subroutine measure_deck
 
     !> Girth, area, centroid and second moments of the section of a body at a station.
@@ -188,14 +169,71 @@ contains
         type(section_measure_type), intent(out) :: measure  !! what does not exist is marked absent
         type(error_type), allocatable, intent(out) :: error !! see above
 
-        !$omp critical (loft)
         call find_body(deck, body, error)
         if (.not. is_coordinate(sta)) call fail(error, cause%usage, &
             'the station is infinite, no number, or beyond those of a deck')
         if (.not. allocated(error)) &
             call measure_section(deck%bodies(body)%body, sta, measure)
-        !$omp end critical (loft)
     end subroutine measure_station
+
+    !> Volume of a duct, and its sections that are outlines. All of it is meant; not its mirror
+    !> image, where it has one.
+    !>
+    !> Fails with `cause%usage` where the deck has no such body, or the body no such duct.
+    subroutine measure_duct(deck, body, duct, measure, error)
+        type(deck_type), intent(in) :: deck                 !! loaded
+        integer, intent(in) :: body                         !! which body, from 1
+        integer, intent(in) :: duct                         !! which of its ducts, from 1
+        type(duct_measure_type), intent(out) :: measure     !! STA rising
+        type(error_type), allocatable, intent(out) :: error !! see above
+        real(dp), allocatable :: stations(:)
+
+        allocate (stations(0))
+        call find_duct(deck, body, duct, error)
+        if (.not. allocated(error)) &
+            measure = outlines_of_duct(deck%bodies(body)%ducts(duct), stations)
+    end subroutine measure_duct
+
+    !> Area, perimeter and centroid of the section of a duct at a station: its area curve.
+    !>
+    !> Fails as `measure_duct`, with `cause%usage` where the station is no number, and with
+    !> `cause%beyond_lines` where it is not from the first outline of the duct to its last.
+    subroutine measure_duct_station(deck, body, duct, sta, section, error)
+        type(deck_type), intent(in) :: deck                 !! loaded
+        integer, intent(in) :: body                         !! which body, from 1
+        integer, intent(in) :: duct                         !! which of its ducts, from 1
+        real(dp), intent(in) :: sta                         !! deck units
+        type(duct_section_type), intent(out) :: section     !! what it measures
+        type(error_type), allocatable, intent(out) :: error !! see above
+
+        call find_duct(deck, body, duct, error)
+        if (.not. is_finite(sta)) &
+            call fail(error, cause%usage, 'the station is infinite or no number')
+        if (allocated(error)) return
+        associate (outlines => deck%bodies(body)%ducts(duct)%outline)
+            if (sta < outlines(1)%sta .or. sta > outlines(size(outlines))%sta) then
+                call fail(error, cause%beyond_lines, 'the duct goes from station '// &
+                    compact(outlines(1)%sta)//' to '//compact(outlines(size(outlines))%sta)// &
+                    ', not to '//compact(sta))
+                return
+            end if
+        end associate
+        call measure_duct_at(deck%bodies(body)%ducts(duct), sta, section)
+    end subroutine measure_duct_station
+
+    !> Fails with `cause%usage` where a deck has no such body, or the body no such duct.
+    pure subroutine find_duct(deck, body, duct, error)
+        type(deck_type), intent(in) :: deck                 !! loaded
+        integer, intent(in) :: body                         !! which body, from 1
+        integer, intent(in) :: duct                         !! which of its ducts, from 1
+        type(error_type), allocatable, intent(out) :: error !! see above
+
+        call find_body(deck, body, error)
+        if (allocated(error)) return
+        if (duct < 1 .or. duct > size(deck%bodies(body)%ducts)) call fail(error, cause%usage, &
+            'the body has no duct '//to_text(duct)//'; it has '// &
+            to_text(size(deck%bodies(body)%ducts)))
+    end subroutine find_duct
 
     !> The table of a conic card of a 1970 deck by steps of an axis, from point 1 to point 3. No
     !> rows where the card asks for none, or has no arc: why is among the faults of the deck.
@@ -209,14 +247,12 @@ contains
         type(error_type), allocatable, intent(out) :: error     !! see above
 
         allocate (rows(0))
-        !$omp critical (loft)
         if (card < 1 .or. card > size(deck%conics)) then
             call fail(error, cause%usage, 'the deck has no conic card '//to_text(card)// &
                 '; it has '//to_text(size(deck%conics)))
         else if (deck%conics(card)%has_arc .and. deck%conics(card)%card%is_whole) then
             call make_table(deck%conics(card), axis, rows)
         end if
-        !$omp end critical (loft)
     end subroutine conic_table
 
     !> The table of a conic by steps of an axis; no rows where its card asks for none.
@@ -237,7 +273,7 @@ contains
 
     !> The version of the library, as `loft --version` has it.
     pure function loft_version() result(text)
-        character(:), allocatable :: text
+        character(len(version)) :: text
         text = version
     end function loft_version
 

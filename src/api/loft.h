@@ -2,8 +2,12 @@
  *
  * Handles are opaque. Every loft_..._free takes the address of a handle, frees what it points to and
  * sets it to NULL; NULL, or the address of a NULL handle, is passed over, so that freeing twice through
- * the same variable does no harm. A deck does not change once it is loaded: any number of threads may
- * use it at once, each with handles of its own for what it makes. Nothing is kept between calls.
+ * the same variable does no harm. What a function returns is the caller's to free; what is handed in is
+ * only read, and only during the call. A cut, a table and an error stand without their deck.
+ *
+ * Threads: a deck, a cut and a table do not change once they are there. Any number of threads may load,
+ * cut and measure at once, also one deck that they share; none waits for another. Only freeing is for
+ * one of them, when no other uses the handle any more. Nothing is kept between calls.
  *
  * What can fail takes the address of a loft_error handle last, or NULL where nobody asks. It is set to
  * NULL at once, and to an error where the call fails, which the caller frees. Nothing is printed, and no
@@ -82,8 +86,10 @@ size_t loft_deck_fault_card(const loft_deck *deck, int number, char *room, size_
 
 int loft_deck_body_count(const loft_deck *deck);
 size_t loft_deck_body_name(const loft_deck *deck, int body, char *room, size_t size);
-int loft_deck_section_count(const loft_deck *deck, int body);   /* its sections, then its patches */
+int loft_deck_section_count(const loft_deck *deck, int body);   /* its sections, then patches, then ducts */
 size_t loft_deck_section_name(const loft_deck *deck, int body, int section, char *room, size_t size);
+int loft_deck_duct_count(const loft_deck *deck, int body);      /* the ducts alone, as they are measured */
+size_t loft_deck_duct_name(const loft_deck *deck, int body, int duct, char *room, size_t size);
 int loft_deck_cut_count(const loft_deck *deck);         /* numbered as `loft run --format csv` does */
 size_t loft_deck_cut_name(const loft_deck *deck, int number, char *room, size_t size);
 
@@ -150,6 +156,10 @@ size_t loft_cut_note(const loft_cut *cut, int number, char *room, size_t size);
 
 /* --- measures ----------------------------------------------------------------------------------- */
 
+/* All of these return 1, or 0 where the call fails: with LOFT_BAD_ARGUMENT where there is no such body or
+ * duct or the station is not finite, and with LOFT_BEYOND_LINES at a station that a duct has not. What
+ * they measure into is then as it was. */
+
 /* Of the whole body, both halves of a symmetric one. What does not exist is 0. */
 typedef struct loft_measure {
     double from, to;            /* stations, deck units */
@@ -174,7 +184,26 @@ typedef struct loft_section {
 } loft_section;
 int loft_deck_measure(const loft_deck *deck, int body, loft_measure *measure, loft_error **error);
 int loft_deck_measure_station(const loft_deck *deck, int body, double sta, loft_section *measure,
-    loft_error **error);                                /* both: 1, or 0 where the call fails */
+    loft_error **error);
+
+/* Of a duct, all of it, without its mirror image where it has one. The area curve is the area at stations
+ * from its first outline to its last. */
+typedef struct loft_duct {
+    double from, to;            /* stations of the first and the last outline, deck units */
+    double volume;              /* within it, deck units cubed */
+} loft_duct;
+typedef struct loft_duct_section {
+    double sta;                 /* deck units */
+    double area;                /* deck units squared */
+    double perimeter;           /* deck units */
+    double centroid[2];         /* of the area: BL, WL */
+    int32_t has_perimeter;      /* 1: quadrature could measure it */
+    int32_t spare;
+} loft_duct_section;
+int loft_deck_measure_duct(const loft_deck *deck, int body, int duct, loft_duct *measure,
+    loft_error **error);
+int loft_deck_measure_duct_station(const loft_deck *deck, int body, int duct, double sta,
+    loft_duct_section *measure, loft_error **error);
 
 /* --- conic cards of a 1970 deck ------------------------------------------------------------------ */
 

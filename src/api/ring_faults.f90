@@ -24,22 +24,23 @@ contains
         type(body_type), intent(in) :: body             !! as built
         type(ring_type), intent(in) :: ring             !! of the body
         type(fault_list_type), intent(inout) :: faults  !! warnings are added
+        character(:), allocatable :: words
         integer :: i
 
         do i = 1, size(ring%meetings)
             associate (meeting => ring%meetings(i))
                 if (.not. is_broken(meeting)) cycle
                 if (is_image(body, meeting%end) .or. is_meant(body, meeting)) cycle
-                call warn_of_section(asked, body, maxval(meeting%end), &
-                    break_words(body, meeting), faults)
+                call say_break(body, meeting, words)
+                call warn_of_section(asked, body, maxval(meeting%end), words, faults)
             end associate
         end do
         if (.not. faults%has_errors(0)) call warn_of_chines(asked, body, ring, faults)
         if (.not. body%is_closed) return
         do i = 1, size(ring%loose)
             if (is_image(body, [ring%loose(i)%end])) cycle
-            call warn_of_section(asked, body, ring%loose(i)%end, &
-                loose_words(body, ring%loose(i)), faults)
+            call say_loose_end(body, ring%loose(i), words)
+            call warn_of_section(asked, body, ring%loose(i)%end, words, faults)
         end do
     end subroutine warn_of_ring
 
@@ -107,11 +108,11 @@ contains
         end do
     end subroutine warn_of_section
 
-    !> A break in words.
-    pure function break_words(body, meeting) result(words)
-        type(body_type), intent(in) :: body         !! as built
-        type(meeting_type), intent(in) :: meeting   !! broken
-        character(:), allocatable :: words
+    !> Says a break in words.
+    pure subroutine say_break(body, meeting, words)
+        type(body_type), intent(in) :: body             !! as built
+        type(meeting_type), intent(in) :: meeting       !! broken
+        character(:), allocatable, intent(out) :: words !! the sentence
 
         words = 'on '//line_of_end(body, meeting%end(1))//' the skin breaks by up to '// &
             compact(meeting%break)//' degrees, at station '//compact(meeting%sta)//', between '// &
@@ -124,13 +125,13 @@ contains
             words = words//' and its mirror image; make its slope there 0., or say CHINE '// &
                 'on its LINE card where an edge is meant'
         end if
-    end function break_words
+    end subroutine say_break
 
-    !> A loose end in words.
-    pure function loose_words(body, loose) result(words)
-        type(body_type), intent(in) :: body         !! as built
-        type(loose_end_type), intent(in) :: loose   !! end of one of its sections
-        character(:), allocatable :: words
+    !> Says a loose end in words.
+    pure subroutine say_loose_end(body, loose, words)
+        type(body_type), intent(in) :: body             !! as built
+        type(loose_end_type), intent(in) :: loose       !! end of one of its sections
+        character(:), allocatable, intent(out) :: words !! the sentence
 
         words = 'from station '//compact(loose%from)//' to '//compact(loose%to)//' section '// &
             name_of_end(body, loose%end)//' meets no other on '//line_of_end(body, loose%end)
@@ -139,6 +140,6 @@ contains
             'station '//compact(loose%sta)//')'
         words = words//', so that the body is not closed; let two sections share the line, or '// &
             'take CLOSE out'
-    end function loose_words
+    end subroutine say_loose_end
 
 end module api_ring_faults

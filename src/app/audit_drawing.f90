@@ -117,7 +117,7 @@ contains
         integer :: k, side
 
         associate (finding => item%audit%finding(reading))
-            text = trim(item%line%reading(reading)%figure%text)//' ['//corrected(finding)//']'
+            text = trim(item%line%reading(reading)%figure%text)//' ['//trim(corrected(finding))//']'
         end associate
         inward = -sign(1.0_dp, at(2))
         side = merge(word_side%left, word_side%right, &

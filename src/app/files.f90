@@ -11,7 +11,7 @@ module app_files
     use base_output, only: output_type
     use base_posix, only: c_access, c_close, c_creat, c_fchmod, c_fclose, c_fileno, c_fopen, &
         c_fsync, c_getpid, c_link, c_mkdir, c_rename, c_text, c_unlink, is_needless, last_error, &
-        link_target, standard_error, standard_input, standard_output
+        read_link, standard_error, standard_input, standard_output
     use base_text, only: to_text
     implicit none (type, external)
     private
@@ -87,7 +87,7 @@ contains
                 file%descriptor = c_creat(c_text(file%final), file_mode)
             end if
             if (file%descriptor < 0) then
-                call fail(error, cause%file_trouble, name//': '//last_error())
+                call fail(error, cause%file_trouble, name//': '//trim(last_error()))
                 file%descriptor = standard_output
                 call release_file(file%guard)
                 return
@@ -101,9 +101,11 @@ contains
     logical function can_be_replaced(name)
         character(*), intent(in) :: name !! as the user gave it
         type(file_facts_type) :: facts
+        character(:), allocatable :: target
+
         facts = facts_of_file(followed(name))
-        can_be_replaced = link_target(followed(name)) == '' .and. &
-            (facts%is_regular .or. .not. facts%exists)
+        call read_link(followed(name), target)
+        can_be_replaced = target == '' .and. (facts%is_regular .or. .not. facts%exists)
     end function can_be_replaced
 
     !> Begins a result beside its final name, with the permissions of what has that name. What was
@@ -135,7 +137,7 @@ contains
         path = name
         do i = 1, most_links
             if (index(path, '/dev/') == 1 .or. index(path, '/proc/') == 1) return
-            target = link_target(path)
+            call read_link(path, target)
             if (target == '') return
             if (index(target, '/') /= 1) target = path(:index(path, '/', back=.true.))//target
             path = target
@@ -172,7 +174,7 @@ contains
             error%message = name//': '//error%message
         else if (allocated(file%name)) then
             call close_whole(file, status)
-            if (status < 0) call fail(error, cause%file_trouble, name//': '//last_error())
+            if (status < 0) call fail(error, cause%file_trouble, name//': '//trim(last_error()))
         end if
         if (allocated(error)) call file%abandon()
     end subroutine finish
@@ -206,7 +208,7 @@ contains
 
         if (.not. allocated(file%unfinished)) return
         if (c_rename(c_text(file%unfinished), c_text(file%final)) < 0) then
-            call fail(error, cause%file_trouble, file%name//': '//last_error())
+            call fail(error, cause%file_trouble, file%name//': '//trim(last_error()))
             call file%abandon()
             return
         end if
@@ -280,7 +282,7 @@ contains
         type(file_facts_type) :: facts
 
         if (c_mkdir(c_text(name), folder_mode) == 0) return
-        trouble = last_error()
+        trouble = trim(last_error())
         facts = facts_of_file(name)
         if (.not. facts%is_folder) call fail(error, cause%file_trouble, name//': '//trouble)
     end subroutine make_folder

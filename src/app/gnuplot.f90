@@ -51,7 +51,7 @@ contains
             call fail(error, cause%file_trouble, folder//'/'//picture// &
                 ': gnuplot did not draw it (its exit status is '//to_text(status)//')')
         else if (c_rename(c_text(folder//'/'//unfinished), c_text(folder//'/'//picture)) < 0) then
-            call fail(error, cause%file_trouble, folder//'/'//picture//': '//last_error())
+            call fail(error, cause%file_trouble, folder//'/'//picture//': '//trim(last_error()))
         end if
         if (allocated(error)) ignored = c_unlink(c_text(folder//'/'//unfinished))
         call release_file(guard)

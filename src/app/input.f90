@@ -3,7 +3,7 @@ module app_input
     use api_deck_file, only: deck_file_type
     use base_error, only: cause, error_type, fail
     use base_fault, only: fault_list_type
-    use base_posix, only: real_path
+    use base_posix, only: are_one_file
     use deck_kind, only: deck_kind_of, opening_type, read_opening
     use deck_source, only: source_type
     implicit none (type, external)
@@ -60,7 +60,7 @@ contains
         type(error_type), allocatable, intent(out) :: error !! `cause%usage`
 
         if (deck == '-' .or. output == '' .or. output == '-') return
-        if (real_path(output) == real_path(deck)) then
+        if (are_one_file(output, deck)) then
             call fail(error, cause%usage, '-o '//output//' would replace the deck')
         end if
     end subroutine spare_deck

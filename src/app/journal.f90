@@ -101,7 +101,7 @@ contains
         if (is_there) call cut_off(journal%path, kept, trouble)
         if (trouble == 0) journal%stream = c_fopen(c_text(journal%path), c_text('a'))
         if (trouble /= 0 .or. .not. c_associated(journal%stream)) then
-            call fail(error, cause%file_trouble, journal%path//': '//last_error())
+            call fail(error, cause%file_trouble, journal%path//': '//trim(last_error()))
             return
         end if
         call journal%out%attach(c_fileno(journal%stream))

@@ -11,7 +11,7 @@ module app_sweep_result
     use base_output, only: output_type
     use base_posix, only: c_text, c_unlink, standard_output
     use sweep_front, only: best_of, mark_front
-    use sweep_image, only: variant_text
+    use sweep_image, only: write_variant
     use sweep_plan, only: values_of
     use sweep_record, only: row_of_record
     use sweep_study, only: study_type
@@ -117,10 +117,12 @@ contains
         integer, intent(in) :: number                       !! which variant
         type(error_type), allocatable, intent(out) :: error !! see above
         type(output_type) :: out
+        character(:), allocatable :: text
 
         call files%begin(name, out, error)
         if (allocated(error)) return
-        call out%put(variant_text(study%image, values_of(study%plan, number)))
+        call write_variant(study%image, values_of(study%plan, number), text)
+        call out%put(text)
         call files%finish(out, error)
     end subroutine put_deck
 

@@ -30,7 +30,7 @@ contains
         else
             stream = c_fopen(c_text(name), c_text('r'))
             if (.not. c_associated(stream)) then
-                call fail(error, cause%file_trouble, name//': '//last_error())
+                call fail(error, cause%file_trouble, name//': '//trim(last_error()))
                 return
             end if
             call read_descriptor(c_fileno(stream), text, error)
@@ -52,7 +52,7 @@ contains
         filled = 0
         do
             got = c_read(descriptor, buffer(filled + 1:), int(len(buffer, i64) - filled, c_size_t))
-            if (got < 0) call fail(error, cause%file_trouble, last_error())
+            if (got < 0) call fail(error, cause%file_trouble, trim(last_error()))
             if (got <= 0) exit
             filled = filled + int(got, i64)
             if (filled > most_bytes) then

@@ -266,9 +266,10 @@ contains
     !> What a table is called: `MHB SIDE`, `LOWER STATION 10.`.
     pure function table_title(item) result(title)
         type(item_type), intent(in) :: item !! any
-        character(:), allocatable :: title
-        title = trim(item%table%name)//' '//trim(view_names(item%table%view))
-        if (item%table%at_text /= '') title = title//' '//trim(item%table%at_text)
+        character(len_trim(item%table%name) + len_trim(view_names(item%table%view)) + &
+            len_trim(item%table%at_text) + merge(1, 2, item%table%at_text == '')) :: title
+        title = trim(item%table%name)//' '//trim(view_names(item%table%view))//' '// &
+            item%table%at_text
     end function table_title
 
 end module audit_cross

@@ -24,6 +24,7 @@ contains
         type(page_type), intent(inout) :: page          !! the listing
         type(deck_audit_type), intent(in) :: found      !! what was found
         type(output_type), intent(inout) :: out         !! where it goes
+        character(:), allocatable :: words
         integer :: k
 
         if (size(found%cross) == 0) return
@@ -32,16 +33,18 @@ contains
         call page%line(out, 'A figure in brackets is suspect, one with = is of the line found.')
         call page%blank(out)
         do k = 1, size(found%cross)
-            call page%paragraph(out, cross_words(found, found%cross(k)))
+            call say_cross(found, found%cross(k), words)
+            call page%paragraph(out, words)
         end do
         call page%blank(out)
     end subroutine print_cross
 
-    !> What two tables say of an ordinate, in words.
-    pure function cross_words(found, cross) result(words)
+    !> Says in words what two tables say of an ordinate.
+    pure subroutine say_cross(found, cross, words)
         type(deck_audit_type), intent(in) :: found      !! what was found
         type(cross_type), intent(in) :: cross           !! of two tables
-        character(:), allocatable :: words, text
+        character(:), allocatable, intent(out) :: words !! the sentence
+        character(:), allocatable :: text
         integer :: k
 
         words = merge('AGREES   ', 'DIFFERS  ', cross%agrees)//trim(cross%what)//': '
@@ -56,7 +59,7 @@ contains
         end do
         if (.not. cross%agrees) words = words//'; '// &
             trim(adjustl(fixed(cross%apart, units_width, 1)))//' UNITS APART'
-    end function cross_words
+    end subroutine say_cross
 
     !> Prints how many figures were found how.
     subroutine print_summary(page, found, out)

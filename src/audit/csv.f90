@@ -13,7 +13,7 @@ module audit_csv
     use base_kinds, only: dp
     use base_output, only: output_type
     use base_text, only: to_text
-    use deck_audit, only: audit_entry_type, entry_kind, known
+    use deck_audit, only: audit_entry_type, entry_kind, entry_length, known
     use deck_audit_layout, only: known_words, printing_words, view_words
     use deck_body_word, only: words_in
     implicit none (type, external)
@@ -50,22 +50,22 @@ contains
 
         associate (table => item%table)
             word = words_in(printing_words)
-            if (any(table%control /= '')) call out%line(front(item)//'lines '// &
+            if (any(table%control /= '')) call out%line(trim(front(item))//'lines '// &
                 name_or_dash(table%control(1))//' '//name_or_dash(table%control(2))//' '// &
                 name_or_dash(table%control(3))//nothing)
             if (table%printing > 0 .or. table%is_fie .or. table%decimals >= 0) call out%line( &
-                front(item)//'printed '//trim(word(table%printing + 1))// &
+                trim(front(item))//'printed '//trim(word(table%printing + 1))// &
                 merge(' FIE    ', ' DECIMAL', table%is_fie)//nothing)
-            if (table%conics > 1) call out%line(front(item)//'conics '//to_text(table%conics)// &
-                nothing)
+            if (table%conics > 1) call out%line(trim(front(item))//'conics '// &
+                to_text(table%conics)//nothing)
         end associate
     end subroutine print_head
 
     !> A name, or a dash where there is none.
     pure function name_or_dash(name) result(text)
         character(*), intent(in) :: name !! may be blank
-        character(:), allocatable :: text
-        text = trim(name)
+        character(max(1, len_trim(name))) :: text
+        text = name
         if (text == '') text = '-'
     end function name_or_dash
 
@@ -85,30 +85,31 @@ contains
                 if (item%table%entry(i)%what == known%xi) finding = step(1)
                 if (item%table%entry(i)%what == known%yi) finding = step(2)
             end if
-            call out%line(row(item, item%table%entry(i), finding))
+            call print_row(item, item%table%entry(i), finding, out)
         end do
     end subroutine print_entries
 
-    !> What every row of a table begins with.
+    !> What every row of a table begins with; blanks behind it.
     pure function front(item) result(text)
-        type(item_type), intent(in) :: item         !! the table
-        character(:), allocatable :: text
+        type(item_type), intent(in) :: item !! the table
         integer, parameter :: views = 5
         character(8) :: word(views)
+        character(len(item%table%name) + len(word) + entry_length + 3) :: text
         word = words_in(view_words)
         text = trim(item%table%name)//','//trim(word(item%table%view))//','// &
             trim(item%table%at_text)//','
     end function front
 
-    !> The row of a figure.
-    pure function row(item, entry, finding) result(text)
+    !> Prints the row of a figure.
+    subroutine print_row(item, entry, finding, out)
         type(item_type), intent(in) :: item             !! its table
         type(audit_entry_type), intent(in) :: entry     !! as the deck has it
         type(finding_type), intent(in) :: finding       !! what was found
+        type(output_type), intent(inout) :: out         !! where it goes
         character(:), allocatable :: text, printed
         character(8), allocatable :: word(:)
 
-        text = front(item)
+        text = trim(front(item))
         if (entry%kind == entry_kind%row) then
             text = text//merge('y', 'x', entry%is_along_y)//trim(merge(' 2', '  ', &
                 entry%column == 2))//','//trim(entry%along_text)
@@ -121,30 +122,31 @@ contains
         if (entry%kind == entry_kind%between) printed = shortest(entry%high)
         text = text//','//printed//','
         if (finding%is_reached) then
-            text = text//value_text(finding%computed)//','//value_text(min(finding%low, &
-                finding%computed))//','//value_text(max(finding%high, finding%computed))//','// &
+            text = text//shortest(in_figures(finding%computed))//','// &
+                shortest(in_figures(min(finding%low, finding%computed)))//','// &
+                shortest(in_figures(max(finding%high, finding%computed)))//','// &
                 shortest(anint(1.0e3_dp*finding%residual)/1.0e3_dp)
         else
             text = text//',,,'
         end if
         text = text//','
         if (finding%verdict /= verdict%none) text = text//verdict_name(finding%verdict)
-        text = text//','//corrected(finding)//','//reason(finding)//','
-        if (is_doubtful(finding)) text = text//value_text(finding%sure)
-    end function row
+        text = text//','//trim(corrected(finding))//','//reason(finding)//','
+        if (is_doubtful(finding)) text = text//shortest(in_figures(finding%sure))
+        call out%line(text)
+    end subroutine print_row
 
     !> A value to nine significant figures, of which the last ones are still those of the line.
-    pure function value_text(value) result(text)
+    elemental real(dp) function in_figures(value) result(rounded)
         real(dp), intent(in) :: value !! any
-        character(:), allocatable :: text
         real(dp) :: places
         integer, parameter :: figures = 9
         real(dp), parameter :: nothing = 1.0e-13_dp
 
-        text = '0'
+        rounded = 0.0_dp
         if (abs(value) < nothing) return
         places = 10.0_dp**(figures - 1 - floor(log10(abs(value))))
-        text = shortest(anint(value*places)/places)
-    end function value_text
+        rounded = anint(value*places)/places
+    end function in_figures
 
 end module audit_csv

@@ -41,10 +41,10 @@ contains
     !> A verdict in a word.
     pure function verdict_name(which) result(name)
         integer, intent(in) :: which !! one of `verdict%...`
-        character(:), allocatable :: name
         character(10), parameter :: names(0:5) = [character(10) :: 'not judged', 'agrees', &
             'rounding', 'suspect', 'unreadable', 'blank']
-        name = trim(names(which))
+        character(len_trim(names(which))) :: name
+        name = names(which)
     end function verdict_name
 
 end module audit_finding

@@ -17,7 +17,7 @@ module audit_listing
     use base_kinds, only: dp
     use base_output, only: output_type
     use base_text, only: right, to_text, upper
-    use deck_audit, only: audit_deck_type, known
+    use deck_audit, only: audit_deck_type, entry_length, known
     use report_page, only: page_columns, page_type
     implicit none (type, external)
     private
@@ -54,6 +54,7 @@ contains
         type(deck_audit_type), intent(in) :: found      !! what was found
         integer, intent(in) :: i                        !! which table
         type(output_type), intent(inout) :: out         !! where it goes
+        character(:), allocatable :: words
         integer :: k
 
         associate (item => found%item(i))
@@ -64,7 +65,8 @@ contains
                 call page%blank(out)
                 return
             end if
-            call page%paragraph(out, printed_words(item))
+            call say_printing(item, words)
+            call page%paragraph(out, words)
             do k = 1, size(item%audit%piece)
                 call print_piece(page, item, item%audit%piece(k), out)
             end do
@@ -72,10 +74,10 @@ contains
         end associate
     end subroutine print_table
 
-    !> How a table was printed, in words.
-    pure function printed_words(item) result(words)
-        type(item_type), intent(in) :: item !! the table
-        character(:), allocatable :: words
+    !> Says in words how a table was printed.
+    pure subroutine say_printing(item, words)
+        type(item_type), intent(in) :: item             !! the table
+        character(:), allocatable, intent(out) :: words !! the sentence
         integer :: way
 
         words = 'PRINTED: '//upper(printing_name(item%audit%printing))
@@ -86,7 +88,7 @@ contains
             if (way > 1) words = words//', '
             words = words//upper(printing_name(way))//' '//to_text(item%audit%met_by(way))
         end do
-    end function printed_words
+    end subroutine say_printing
 
     !> Prints a conic of a table: its numbers, and its card.
     subroutine print_piece(page, item, piece, out)
@@ -102,8 +104,7 @@ contains
             piece%fit%problem%is_straight))//' FROM X '//shortest(piece%first)//' TO '// &
             shortest(piece%last)//':    LINE, LEAST, MOST, ROUND NUMBERS')
         do k = 1, size(piece%parameter)
-            if (piece%parameter(k)%exists) call page%paragraph(out, parameter_row( &
-                piece%parameter(k)))
+            if (piece%parameter(k)%exists) call print_parameter(page, piece%parameter(k), out)
         end do
         call print_pairs(page, piece, out)
         if (why_no_card(item, piece) == '') then
@@ -114,9 +115,11 @@ contains
         end if
     end subroutine print_piece
 
-    !> A number of the card in its columns.
-    pure function parameter_row(parameter) result(text)
-        type(parameter_type), intent(in) :: parameter !! of a conic
+    !> Prints a number of the card in its columns.
+    subroutine print_parameter(page, parameter, out)
+        type(page_type), intent(inout) :: page          !! the listing
+        type(parameter_type), intent(in) :: parameter   !! of a conic
+        type(output_type), intent(inout) :: out         !! where it goes
         character(:), allocatable :: text
         integer, parameter :: decimals = 6
         integer :: k
@@ -124,7 +127,7 @@ contains
         text = right(trim(parameter%name)//' AT X '//shortest(parameter%quantity%along), &
             name_width)//'  '//fixed(parameter%value, figure_width, decimals)
         if (.not. parameter%is_limited) then
-            text = text//'  NOT BOUNDED BY THE GOOD FIGURES'
+            call page%paragraph(out, text//'  NOT BOUNDED BY THE GOOD FIGURES')
             return
         end if
         text = text//fixed(parameter%low, figure_width, decimals)// &
@@ -134,7 +137,8 @@ contains
         end do
         if (size(parameter%round) > most_shown) text = text//'  ... '// &
             trim(parameter%round(size(parameter%round)))
-    end function parameter_row
+        call page%paragraph(out, text)
+    end subroutine print_parameter
 
     !> Prints the pairs of slopes of fewest decimals, where neither slope is one number alone.
     subroutine print_pairs(page, piece, out)
@@ -204,9 +208,8 @@ contains
     pure function step_text(item, axis) result(text)
         type(item_type), intent(in) :: item !! the table
         integer, intent(in) :: axis         !! 1: XI, 2: YI
-        character(:), allocatable :: text
-        text = trim(item%table%entry(entry_of(item%table, merge(known%xi, known%yi, &
-            axis == 1)))%text)
+        character(entry_length) :: text
+        text = item%table%entry(entry_of(item%table, merge(known%xi, known%yi, axis == 1)))%text
     end function step_text
 
     !> Decimals that the value of a reading is shown with.

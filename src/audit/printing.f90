@@ -77,10 +77,10 @@ contains
     !> A way of printing in words.
     pure function printing_name(way) result(name)
         integer, intent(in) :: way !! one of `printing%...`
-        character(:), allocatable :: name
         character(24), parameter :: names(0:4) = [character(24) :: 'unknown', 'rounded', &
             'truncated', '.0005 added and rounded', 'rounded, halves to even']
-        name = trim(names(way))
+        character(len_trim(names(way))) :: name
+        name = names(way)
     end function printing_name
 
 end module audit_printing

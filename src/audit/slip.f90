@@ -236,7 +236,6 @@ contains
     !> A slip in words.
     pure function slip_name(kind) result(name)
         integer, intent(in) :: kind !! one of `slip%...`
-        character(:), allocatable :: name
         character(34), parameter :: names(0:13) = [character(34) :: 'no explanation', &
             'one digit taken for another', 'one digit too many', 'one digit missing', &
             'two digits in wrong order', 'the sign', 'the point moved', &
@@ -244,7 +243,8 @@ contains
             'a slip of an inch', 'a slip of an eighth', 'two digits taken for others', &
             'a wrong digit and one more or less', 'a slip of a foot', &
             'characters that can''t be read']
-        name = trim(names(kind))
+        character(len_trim(names(kind))) :: name
+        name = names(kind)
     end function slip_name
 
 end module audit_slip

@@ -10,7 +10,7 @@ module audit_words
     use base_digits, only: shortest
     use base_kinds, only: dp
     use base_text, only: to_text
-    use deck_audit, only: entry_kind
+    use deck_audit, only: entry_kind, entry_length
     use deck_audit_layout, only: known_words
     use deck_body_card, only: field_width
     use deck_body_word, only: words_in
@@ -19,13 +19,17 @@ module audit_words
 
     public :: reading_name, corrected, reason, percent, card_image, why_no_card, is_doubtful
 
+    !> Characters of the name of a reading: its abscissa as it is on the card, and its column.
+    integer, parameter :: reading_length = entry_length + 8
+
 contains
 
-    !> What a reading is: its X, its Y, or its field: `X 5.000`, `X 5.000 (2)`, `S3`.
+    !> What a reading is: its X, its Y, or its field: `X 5.000`, `X 5.000 (2)`, `S3`;
+    !> blanks behind it.
     pure function reading_name(item, reading) result(name)
         type(item_type), intent(in) :: item !! its table
         integer, intent(in) :: reading      !! which
-        character(:), allocatable :: name
+        character(reading_length) :: name
         character(8), allocatable :: word(:)
 
         if (item%entry(reading) == 0) then
@@ -35,10 +39,10 @@ contains
         associate (entry => item%table%entry(item%entry(reading)))
             if (entry%kind == entry_kind%row) then
                 name = merge('Y', 'X', entry%is_along_y)//' '//trim(entry%along_text)
-                if (entry%column /= 1) name = name//' ('//to_text(entry%column)//')'
+                if (entry%column /= 1) name = trim(name)//' ('//to_text(entry%column)//')'
             else
                 word = words_in(known_words)
-                name = trim(word(entry%what))
+                name = word(entry%what)
             end if
         end associate
     end function reading_name
@@ -50,26 +54,26 @@ contains
             finding%verdict == verdict%unreadable
     end function is_doubtful
 
-    !> The figure of a corrected table: as printed where that agrees, else what is likely right.
+    !> The figure of a corrected table: as printed where that agrees, else what is likely
+    !> right; blanks behind it.
     pure function corrected(finding) result(text)
         type(finding_type), intent(in) :: finding !! of a figure
-        character(:), allocatable :: text
-        text = trim(finding%likely)
-        if (finding%verdict == verdict%blank) text = trim(finding%computed_figure)
+        character(figure_length) :: text
+        text = finding%likely
+        if (finding%verdict == verdict%blank) text = finding%computed_figure
     end function corrected
 
     !> How a figure that is not as it should be came about, in words.
     pure function reason(finding) result(words)
         type(finding_type), intent(in) :: finding !! of a figure
-        character(:), allocatable :: words
-        words = ''
-        if (is_doubtful(finding)) words = slip_name(finding%slip)
+        character(merge(len(slip_name(finding%slip)), 0, is_doubtful(finding))) :: words
+        words = slip_name(finding%slip)
     end function reason
 
     !> How sure what is likely right is, in per cent; never all.
     pure function percent(finding) result(text)
         type(finding_type), intent(in) :: finding !! of a figure
-        character(:), allocatable :: text
+        character(2) :: text
         text = to_text(min(99, nint(100.0_dp*finding%sure)))
     end function percent
 

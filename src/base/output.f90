@@ -96,8 +96,7 @@ contains
     !> What an output in memory has gathered.
     pure function gathered_text(out) result(text)
         class(output_type), intent(in) :: out !! an output without descriptor
-        character(:), allocatable :: text
-        text = ''
+        character(out%used) :: text
         if (allocated(out%buffer)) text = out%buffer(:out%used)
     end function gathered_text
 
@@ -171,7 +170,7 @@ contains
             else if (taken == 0) then
                 out%trouble = 'no byte is taken'
             else if (.not. can_try_again(out%descriptor, to_write)) then
-                out%trouble = last_error()
+                out%trouble = trim(last_error())
             end if
         end do
     end subroutine write_all

@@ -11,7 +11,7 @@ module base_posix
     public :: c_fopen, c_fileno, c_fclose, c_read, c_write, c_creat, c_close, c_rename, c_unlink
     public :: c_fsync, c_fchmod, c_access, c_link, c_readlink, c_mkdir, c_getpid, c_signal, c_raise
     public :: c_alarm, c_isatty, c_atexit, c_exit_now
-    public :: c_text, last_error, real_path, can_try_again, is_needless, link_target
+    public :: c_text, last_error, are_one_file, can_try_again, is_needless, read_link
 
     !> Descriptor of standard input.
     integer(c_int), parameter, public :: standard_input = 0
@@ -21,6 +21,8 @@ module base_posix
     integer(c_int), parameter, public :: standard_error = 2
     !> Bytes of the longest path, its null included.
     integer, parameter, public :: longest_path = 4096
+    !> Bytes of the system's words for an error, at most.
+    integer, parameter :: longest_error = 256
 
     !> A descriptor that is waited for.
     type, bind(c) :: poll_type
@@ -213,20 +215,20 @@ contains
     !> A Fortran text as C wants it: with a null at its end. Trailing blanks are kept.
     pure function c_text(text)
         character(*), intent(in) :: text !! any text without a null
-        character(:), allocatable :: c_text
+        character(len(text, c_size_t) + 1_c_size_t) :: c_text
         c_text = text//c_null_char
     end function c_text
 
-    !> The system's words for why its last service failed. Call it at once.
+    !> The system's words for why its last service failed, blanks behind them. Call it at once.
     function last_error() result(words)
-        character(:), allocatable :: words
+        character(longest_error) :: words
         character(kind=c_char), pointer :: letter(:)
         type(c_ptr) :: text
 
         words = ''
         text = c_strerror(error_number())
         if (.not. c_associated(text)) return
-        call c_f_pointer(text, letter, [256])
+        call c_f_pointer(text, letter, [longest_error])
         words = before_null(letter)
     end function last_error
 
@@ -250,42 +252,52 @@ contains
         is_needless = error_number() == invalid
     end function is_needless
 
-    !> What a symbolic link says, and nothing where there is no link.
-    function link_target(path) result(target)
-        character(*), intent(in) :: path !! any path
-        character(:), allocatable :: target
+    !> Reads what a symbolic link says: nothing where there is no link.
+    subroutine read_link(path, target)
+        character(*), intent(in) :: path                    !! any path
+        character(:), allocatable, intent(out) :: target    !! the path in the link
         character(kind=c_char) :: letter(longest_path)
-        integer :: i, length
+        integer :: length
 
         length = int(c_readlink(c_text(path), letter, int(longest_path, c_size_t)))
-        target = ''
-        do i = 1, length
-            target = target//letter(i)
-        end do
-    end function link_target
+        target = joined(letter(:max(0, length)))
+    end subroutine read_link
 
-    !> The path of a file from the root, without links, `.` and `..`: two names of one file have the
-    !> same. Nothing where there is no such file.
-    function real_path(name) result(path)
-        character(*), intent(in) :: name !! any path
-        character(:), allocatable :: path
-        character(kind=c_char) :: letter(longest_path)
+    !> True where two names lead to one file that is there, by whatever links, `.` and `..`.
+    logical function are_one_file(name, other)
+        character(*), intent(in) :: name    !! any path
+        character(*), intent(in) :: other   !! any path
+        character(kind=c_char), dimension(longest_path) :: path, other_path
 
-        path = ''
-        if (c_associated(c_realpath(c_text(name), letter))) path = before_null(letter)
-    end function real_path
+        are_one_file = .false.
+        if (.not. c_associated(c_realpath(c_text(name), path))) return
+        if (.not. c_associated(c_realpath(c_text(other), other_path))) return
+        are_one_file = before_null(path) == before_null(other_path)
+    end function are_one_file
 
     !> A text of C as Fortran has it.
     pure function before_null(letter) result(text)
         character(kind=c_char), intent(in) :: letter(:) !! the text, a null behind it
-        character(:), allocatable :: text
-        integer :: i
-
-        text = ''
-        do i = 1, size(letter)
-            if (letter(i) == c_null_char) exit
-            text = text//letter(i)
-        end do
+        character(letters_before_null(letter)) :: text
+        text = joined(letter(:len(text)))
     end function before_null
+
+    !> Letters of a text of C; what is behind its null is not looked at.
+    pure integer function letters_before_null(letter) result(number)
+        character(kind=c_char), intent(in) :: letter(:) !! the text, a null behind it
+        do number = 0, size(letter) - 1
+            if (letter(number + 1) == c_null_char) return
+        end do
+    end function letters_before_null
+
+    !> Letters as one text.
+    pure function joined(letter) result(text)
+        character(kind=c_char), intent(in) :: letter(:) !! any
+        character(size(letter)) :: text
+        integer :: i
+        do i = 1, len(text)
+            text(i:i) = letter(i)
+        end do
+    end function joined
 
 end module base_posix

@@ -1,16 +1,25 @@
 !> Small deeds on text that Fortran leaves out: case, numbers as words, lists.
 !>
-!> Where a length can be said before the text is made, it is: gfortran keeps the length of any other
-!> result in one place for all threads (`slen`), so that two of them may not call such a function at
-!> the same time.
+!> No function that threads may call has a result of deferred length (`character(:), allocatable`):
+!> gfortran keeps that length in one place for all threads (`slen`, a static variable of the
+!> caller), so that two of them may not call it from one line at the same time. So
+!>
+!> - a text whose length follows from the arguments has it declared (`to_text`);
+!> - a text that is one of a few, or short, has a declared length that is enough, with blanks behind
+!>   it, which whoever puts it in a sentence trims;
+!> - a sentence of any length is the last argument of a subroutine, allocatable.
 module base_text
+    use base_exact, only: is_finite, is_zero
+    use base_figures, only: figure_count
     use base_kinds, only: dp, i64
-    use base_length, only: compact_field, compact_length, places
     implicit none (type, external)
     private
 
     public :: upper, to_text, compact, counted, columns, row_of, right, characters, first_bytes
-    public :: limited, printable
+    public :: limited, printable, compact_length
+
+    !> Characters of `compact` at most.
+    integer, parameter, public :: widest_compact = 16
 
     interface to_text
         module procedure integer_text, long_text
@@ -90,6 +99,13 @@ contains
         moved(len(moved, i64) - (last - first):) = text(first:last)
     end function right
 
+    !> Characters of a whole number.
+    elemental integer(i64) function places(value)
+        integer(i64), intent(in) :: value !! any whole number
+        places = int(figure_count(abs(max(value, -huge(value)))), i64)
+        if (value < 0) places = places + 1
+    end function places
+
     !> A whole number in as few characters as it needs.
     pure function integer_text(value) result(text)
         integer, intent(in) :: value !! any whole number
@@ -121,6 +137,38 @@ contains
         character(compact_length(value)) :: text
         text = compact_field(value)
     end function compact
+
+    !> Characters of `compact`.
+    elemental integer(i64) function compact_length(value) result(length)
+        real(dp), intent(in) :: value !! any
+        length = len_trim(compact_field(value), i64)
+    end function compact_length
+
+    !> The text of `compact` with blanks behind it. What is no finite number is said as Fortran says
+    !> it.
+    pure function compact_field(value) result(text)
+        real(dp), intent(in) :: value !! any
+        character(widest_compact) :: text
+        character(32) :: field
+        integer :: power
+
+        if (.not. is_finite(value)) then
+            write (text, '(g0)') value
+            return
+        end if
+        if (abs(value) < 1.0e7_dp .and. (abs(value) >= 1.0e-4_dp .or. is_zero(value))) then
+            write (field, '(f0.6)') merge(0.0_dp, value, is_zero(value))
+            power = len_trim(field) + 1
+        else
+            write (field, '(es15.5e3)') value
+            field = adjustl(field)
+            power = index(field, 'E')
+            if (field(power + 2:power + 2) == '0') field(power + 2:) = field(power + 3:)
+        end if
+        text = field(:verify(field(:power - 1), '0', back=.true.))//trim(field(power:))
+        if (text(1:1) == '.') text = '0'//text(:widest_compact - 1)
+        if (index(text, '-.') == 1) text = '-0'//text(2:widest_compact - 1)
+    end function compact_field
 
     !> A count with its noun: `1 card`, `2 cards`.
     pure function counted(number, noun) result(text)

@@ -3,8 +3,7 @@ module body_build_lines
     use base_decimal, only: to_real
     use base_fault, only: fault_list_type
     use base_kinds, only: dp, i64
-    use base_length, only: compact_length
-    use base_text, only: compact
+    use base_text, only: compact, compact_length
     use body_build_points, only: build_points
     use body_build_view, only: build_view
     use body_ledger, only: joint_type

@@ -4,8 +4,8 @@
 module body_build_sides
     use base_decimal, only: to_real
     use base_error, only: cause, error_type, fail
-    use base_kinds, only: dp
-    use base_text, only: compact, to_text
+    use base_kinds, only: dp, i64
+    use base_text, only: compact, compact_length
     use body_contact, only: contact_type, contacts_of, nearest_contact
     use body_panel_side, only: point_side, side_part, side_type
     use body_side_curves, only: list_curves, side_words
@@ -57,7 +57,7 @@ contains
         allocate (leg(n))
         leg%side = pack([1, 2, 3, 4], asked%side%kind /= bound%point)
         do i = 1, n
-            leg(i)%words = side_words(asked, world, leg(i)%side)
+            leg(i)%words = trim(side_words(asked, world, leg(i)%side))
             call list_curves(asked, leg(i)%side, world, leg(i)%curve, error)
             if (allocated(error)) error%message = leg(i)%words//' '//error%message
             if (allocated(error)) return
@@ -187,7 +187,7 @@ contains
                 compact(nearest%gap)//' at '//in_space(nearest%at)
             if (nearest%gap <= rule%gap) error%message = leg(i)%words//' and '// &
                 leg(next)%words//' meet at '//in_space(nearest%at)//', not between FROM and TO'
-            error%message = error%message//order_words(leg, rule)
+            error%message = error%message//trim(order_words(leg, rule))
             return
         end do
     end subroutine explain
@@ -196,7 +196,8 @@ contains
     pure function order_words(leg, rule) result(words)
         type(leg_type), intent(in) :: leg(:)    !! the sides
         type(rule_type), intent(in) :: rule     !! gap and range
-        character(:), allocatable :: words
+        character(*), parameter :: in_order = '; its sides go round in the order'
+        character(len(in_order) + 8) :: words
         integer, parameter :: orders(4, 2) = reshape([1, 3, 2, 4, 1, 2, 4, 3], [4, 2])
         type(meeting_type), allocatable :: meeting(:, :)
         logical :: is_round
@@ -212,10 +213,7 @@ contains
                 is_round = is_round .and. meet(meeting)
             end do
             if (.not. is_round) cycle
-            words = '; its sides go round in the order'
-            do i = 1, 4
-                words = words//' '//to_text(orders(i, k))
-            end do
+            write (words, '(a,4i2)') in_order, orders(:, k)
             return
         end do
     end function order_words
@@ -236,7 +234,7 @@ contains
     !> A point in a sentence.
     pure function in_space(at) result(words)
         real(dp), intent(in) :: at(3) !! STA, BL, WL, deck units
-        character(:), allocatable :: words
+        character(len('STA , BL , WL ', i64) + sum(compact_length(at))) :: words
         words = 'STA '//compact(at(1))//', BL '//compact(at(2))//', WL '//compact(at(3))
     end function in_space
 

@@ -4,7 +4,7 @@ module body_ledger
     use base_constants, only: degrees
     use base_exact, only: is_zero
     use base_kinds, only: dp
-    use base_text, only: compact
+    use base_text, only: compact, widest_compact
     use base_tolerances, only: agreement_ulps, fair_curvature, slope_resolution, ulp
     use deck_job, only: name_length
     use geom_joint, only: jump_between, jump_type
@@ -63,21 +63,19 @@ contains
     !> A joint in plain words: `slope goes on, curvature jumps from 0.01 to 0.02`.
     pure function joint_words(joint) result(words)
         type(joint_type), intent(in) :: joint !! any joint
-        character(:), allocatable :: words
+        character(64 + 3*widest_compact) :: words
 
-        words = ''
-        if (.not. is_zero(joint%jump%gap)) then
-            words = 'the ends are '//compact(joint%jump%gap)//' apart, '
-        end if
         if (is_broken(joint)) then
-            words = words//'slope breaks by '//compact(joint%jump%direction)//' degrees'
-            if (joint%is_knuckle) words = words//', a knuckle'
+            words = 'slope breaks by '//compact(joint%jump%direction)//' degrees'
+            if (joint%is_knuckle) words = trim(words)//', a knuckle'
         else if (bends_on(joint)) then
-            words = words//'slope and curvature go on'
+            words = 'slope and curvature go on'
         else
-            words = words//'slope goes on, curvature jumps from '// &
+            words = 'slope goes on, curvature jumps from '// &
                 compact(joint%curvature(1))//' to '//compact(joint%curvature(2))
         end if
+        if (is_zero(joint%jump%gap)) return
+        words = 'the ends are '//compact(joint%jump%gap)//' apart, '//trim(words)
     end function joint_words
 
 end module body_ledger

@@ -12,9 +12,11 @@ module body_ring_end
     implicit none (type, external)
     private
 
-    public :: section_end_type, ends_at, section_of, name_of_end, line_of_end, &
-        is_on_chine
+    public :: section_end_type, ends_at, section_of, name_of_end, line_of_end, is_on_chine
     public :: touch, is_centred, break_between, break_in_mirror
+
+    !> What stands behind the name of a section on the port side.
+    character(*), parameter :: port_mark = ' P'
 
     !> An end of a section at a station. Ends 2i - 1 and 2i of a list are start and finish of
     !> section i.
@@ -119,34 +121,31 @@ contains
     pure function name_of_end(body, end) result(name)
         type(body_type), intent(in) :: body !! the body
         integer, intent(in) :: end          !! place in the list
-        character(:), allocatable :: name
-        associate (section => body%sections(section_of(end)))
-            name = trim(section%name)
-            if (section%is_port) name = name//' P'
-        end associate
+        character(len_trim(body%sections(section_of(end))%name) + &
+            merge(len(port_mark), 0, body%sections(section_of(end))%is_port)) :: name
+        name = trim(body%sections(section_of(end))%name)//port_mark
     end function name_of_end
 
     !> The name of the line on which an end is.
     pure function line_of_end(body, end) result(name)
         type(body_type), intent(in) :: body !! the body
         integer, intent(in) :: end          !! place in the list
-        character(:), allocatable :: name
-        associate (section => body%sections(section_of(end)))
-            name = trim(body%lines(section%line(end_line(end)))%name)
-        end associate
+        character(len_trim(body%lines(line_number(body, end))%name)) :: name
+        name = body%lines(line_number(body, end))%name
     end function line_of_end
 
     !> True where the line on which an end is, is a chine.
     pure logical function is_on_chine(body, end)
         type(body_type), intent(in) :: body !! the body
         integer, intent(in) :: end          !! place in the list
-        is_on_chine = body%lines(body%sections(section_of(end))%line(end_line(end)))%is_chine
+        is_on_chine = body%lines(line_number(body, end))%is_chine
     end function is_on_chine
 
-    !> Which of the three lines of its section an end is on.
-    elemental integer function end_line(end)
-        integer, intent(in) :: end !! place in the list
-        end_line = merge(1, 3, mod(end, 2) == 1)
-    end function end_line
+    !> The line on which an end is: the first or the third of its section.
+    pure integer function line_number(body, end) result(number)
+        type(body_type), intent(in) :: body !! the body
+        integer, intent(in) :: end          !! place in the list
+        number = body%sections(section_of(end))%line(merge(1, 3, mod(end, 2) == 1))
+    end function line_number
 
 end module body_ring_end

@@ -4,11 +4,11 @@ module body_side_curves
     use base_decimal, only: to_real
     use base_error, only: cause, error_type, fail
     use base_kinds, only: dp
-    use base_text, only: compact, to_text
+    use base_text, only: compact, to_text, widest_compact
     use body_line, only: line_type
     use body_panel_side, only: line_side, side_type
     use body_trace, only: arcs_at, trace_type, world_type
-    use deck_job, only: bound, patch_type
+    use deck_job, only: bound, name_length, patch_type
     implicit none (type, external)
     private
 
@@ -79,17 +79,17 @@ contains
         type(patch_type), intent(in) :: asked       !! the patch
         type(world_type), intent(in) :: world       !! names of lines and cuts
         integer, intent(in) :: number               !! which side
-        character(:), allocatable :: words
+        character(32 + max(name_length, widest_compact)) :: words
 
         words = 'side '//to_text(number)
         associate (side => asked%side(number))
             select case (side%kind)
             case (bound%line)
-                words = words//' (line '//trim(world%body%lines(side%line)%name)//')'
+                words = trim(words)//' (line '//trim(world%body%lines(side%line)%name)//')'
             case (bound%cut)
-                words = words//' (cut '//trim(world%asked%cut(side%cut)%name)//')'
+                words = trim(words)//' (cut '//trim(world%asked%cut(side%cut)%name)//')'
             case (bound%station)
-                words = words//' (station '//compact(to_real(side%station))//')'
+                words = trim(words)//' (station '//compact(to_real(side%station))//')'
             end select
         end associate
     end function side_words

@@ -12,7 +12,7 @@ module cut_measure_ring
     implicit none (type, external)
     private
 
-    public :: link_type, rings_at, why_open, find_opening, sections_at
+    public :: link_type, rings_at, find_opening, sections_at
 
     !> One section of a station with its place in a ring.
     type :: link_type
@@ -149,14 +149,6 @@ contains
     end function extent
 
     !> Why the rings of a station enclose no area, in words; empty where they all do.
-    pure function why_open(body, links) result(why)
-        type(body_type), intent(in) :: body     !! finished
-        type(link_type), intent(in) :: links(:) !! of `rings_at`
-        character(:), allocatable :: why
-        call find_opening(body, links, why)
-    end function why_open
-
-    !> The same for threads, which a function of text is not.
     pure subroutine find_opening(body, links, why)
         type(body_type), intent(in) :: body             !! finished
         type(link_type), intent(in) :: links(:)         !! of `rings_at`

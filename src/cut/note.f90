@@ -1,8 +1,8 @@
 !> What there is to say of a cut: where sections have no arc, or lie in the plane; where the two
 !> ways do not agree.
 module cut_note
-    use base_kinds, only: dp
-    use base_text, only: compact
+    use base_kinds, only: dp, i64
+    use base_text, only: compact, compact_length
     use base_tolerances, only: agreement_tolerance, agreement_ulps, ulp
     use body_body, only: body_type, smooth_stops
     use body_gap, only: gap_type, has_arc, section_gaps
@@ -56,7 +56,7 @@ contains
     pure function between(from, to) result(words)
         real(dp), intent(in) :: from    !! deck units
         real(dp), intent(in) :: to      !! deck units
-        character(len(' from station  to ') + len(compact(from)) + len(compact(to))) :: words
+        character(len(' from station  to ', i64) + sum(compact_length([from, to]))) :: words
         words = ' from station '//compact(from)//' to '//compact(to)
     end function between
 

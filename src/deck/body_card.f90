@@ -127,15 +127,22 @@ contains
     pure function field_text(card, number) result(text)
         type(card_type), intent(in) :: card !! the card
         integer, intent(in) :: number       !! which field, from 1
-        character(:), allocatable :: text
+        character(len_trim(field_columns(card, number))) :: text
+        text = upper(field_columns(card, number))
+    end function field_text
+
+    !> The columns of a field without the blanks before its text, blanks behind it.
+    pure function field_columns(card, number) result(text)
+        type(card_type), intent(in) :: card !! the card
+        integer, intent(in) :: number       !! which field, from 1
+        character(free_columns) :: text
 
         text = ''
         if (number > size(card%field)) return
         associate (field => card%field(number))
-            text = columns(card%sheet(field%sheet)%image, field%first, field%last)
+            text = adjustl(columns(card%sheet(field%sheet)%image, field%first, field%last))
         end associate
-        text = upper(trim(adjustl(text)))
-    end function field_text
+    end function field_columns
 
     !> Where a field is or would be, for the row of carets: at least one column.
     pure type(field_type) function place_of(card, number) result(place)

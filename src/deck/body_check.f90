@@ -68,6 +68,7 @@ contains
         type(body_field_type), intent(in) :: field(:)   !! its fields
         logical, intent(in) :: is_match                 !! the card says MATCH
         type(fault_list_type), intent(inout) :: faults  !! what is wrong is added
+        character(:), allocatable :: words
         integer :: i, first
 
         first = 0
@@ -77,16 +78,16 @@ contains
             if (i < size(field)) then
                 if (is_missing(card, field(i + 1), is_match)) cycle
             end if
-            call blame_span(card, field(first)%field, field(i)%field, &
-                missing_words(field(first:i)), faults)
+            call say_missing(field(first:i), words)
+            call blame_span(card, field(first)%field, field(i)%field, words, faults)
             first = 0
         end do
     end subroutine check_missing
 
-    !> What is missing, in words.
-    pure function missing_words(field) result(words)
-        type(body_field_type), intent(in) :: field(:) !! blank fields
-        character(:), allocatable :: words
+    !> Says what is missing.
+    pure subroutine say_missing(field, words)
+        type(body_field_type), intent(in) :: field(:)   !! blank fields
+        character(:), allocatable, intent(out) :: words !! the sentence
         integer :: i
 
         words = trim(field(1)%name)
@@ -101,7 +102,7 @@ contains
             words = words//' are missing'
         end if
         if (all(field%form == form%number)) words = words//' (zero is written 0.)'
-    end function missing_words
+    end subroutine say_missing
 
     !> True where a field is blank that must not be.
     pure logical function is_missing(card, field, is_match)
@@ -179,7 +180,7 @@ contains
         character(:), allocatable :: text, trouble
 
         text = field_text(card, number)
-        trouble = name_trouble(text)
+        trouble = trim(name_trouble(text))
         if (trouble == '') return
         if (looks_like_number(text)) trouble = 'a number where a name is expected; '//trouble
         call blame(card, number, trim(field%name)//': '//trouble, faults)

@@ -26,7 +26,7 @@ contains
     !> What a field holds, in words.
     pure function form_words(field) result(words)
         type(body_field_type), intent(in) :: field !! the field
-        character(:), allocatable :: words
+        character(8) :: words
 
         select case (field%form)
         case (form%number)

@@ -54,7 +54,7 @@ contains
     pure function nearest_word(text, word) result(nearest)
         character(*), intent(in) :: text    !! what was read
         character(*), intent(in) :: word(:) !! what may be read
-        character(:), allocatable :: nearest
+        character(len(word)) :: nearest
         integer :: i, fewest, number
 
         nearest = ''
@@ -64,7 +64,7 @@ contains
             number = slips(trim(text), trim(word(i)))
             if (number >= fewest) cycle
             fewest = number
-            nearest = trim(word(i))
+            nearest = word(i)
         end do
     end function nearest_word
 
@@ -72,9 +72,9 @@ contains
     pure function suggestion(text, word) result(words)
         character(*), intent(in) :: text    !! what was read
         character(*), intent(in) :: word(:) !! what may be read
-        character(:), allocatable :: words
-        words = nearest_word(text, word)
-        if (words /= '') words = '; did you mean '//words//'?'
+        character(len_trim(nearest_word(text, word)) + &
+            merge(0, len('; did you mean ?'), nearest_word(text, word) == '')) :: words
+        words = '; did you mean '//trim(nearest_word(text, word))//'?'
     end function suggestion
 
     !> Slips that lead from one word to the other: letters changed, left out, put in, or two
@@ -110,14 +110,18 @@ contains
     !> A list of words for a sentence: `SIDE, PLAN or ANGLE`.
     pure function in_words(word) result(list)
         character(*), intent(in) :: word(:) !! the words
-        character(:), allocatable :: list
+        character(sum(len_trim(word)) + merge(2*size(word), 0, size(word) > 1)) :: list
         integer :: i
 
         list = ''
         do i = 1, size(word)
-            if (i > 1) list = list//merge(' or ', ',   ', i == size(word))
-            if (i > 1 .and. i < size(word)) list = trim(list)//' '
-            list = list//trim(word(i))
+            if (i == 1) then
+                list = word(1)
+            else if (i < size(word)) then
+                list = trim(list)//', '//word(i)
+            else
+                list = trim(list)//' or '//word(i)
+            end if
         end do
     end function in_words
 
@@ -131,7 +135,7 @@ contains
     !> What keeps a text from being a name, or nothing.
     pure function name_trouble(text) result(trouble)
         character(*), intent(in) :: text !! in capitals, not blank
-        character(:), allocatable :: trouble
+        character(80) :: trouble
 
         trouble = ''
         if (index(letters, text(1:1)) == 0) then

@@ -37,12 +37,16 @@ contains
     !> The word a card begins with, in capitals: what stands before the first blank or comma.
     pure function card_word(line) result(word)
         type(line_type), intent(in) :: line !! a line of the deck that begins with a word
-        character(:), allocatable :: word
-        integer :: last
-        word = upper(adjustl(columns(line%text, 1, card_columns)))
-        last = scan(word//' ', ' ,'//achar(9)) - 1
-        word = word(:last)
+        character(scan(word_columns(line)//' ', ' ,'//achar(9)) - 1) :: word
+        word = word_columns(line)
     end function card_word
+
+    !> The columns of a card from the word it begins with, in capitals.
+    pure function word_columns(line) result(text)
+        type(line_type), intent(in) :: line !! a line of the deck that begins with a word
+        character(card_columns) :: text
+        text = upper(adjustl(columns(line%text, 1, card_columns)))
+    end function word_columns
 
     !> Reads a TITLE or UNITS card.
     subroutine read_heading_card(line, heading, faults)

@@ -248,9 +248,9 @@ contains
     !> Words that remind of the body a name belongs to, where there is more than one.
     pure function in_this_body(state) result(words)
         type(state_type), intent(in) :: state !! the job so far
-        character(:), allocatable :: words
-        words = ''
-        if (state%bodies > 0) words = ' in this body'
+        character(*), parameter :: reminder = ' in this body'
+        character(merge(len(reminder), 0, state%bodies > 0)) :: words
+        words = reminder
     end function in_this_body
 
 end module deck_job_body

@@ -43,17 +43,15 @@ contains
         integer, intent(in) :: field                            !! where the name stands
         integer, allocatable, intent(inout) :: outlines(:)      !! gets its place
         type(fault_list_type), intent(inout) :: faults          !! what is wrong is added
-        character(:), allocatable :: name
         integer :: number
 
         if (.not. is_filled(card, field)) then
             call blame(card, field, 'a blank field between outlines; leave it out', faults)
             return
         end if
-        name = field_text(card, field)
-        number = find_outline(state, name)
+        number = find_outline(state, field_text(card, field))
         if (number == 0) then
-            call blame(card, field, missing_words(state, name), faults)
+            call blame_missing(state, card, field, faults)
             return
         end if
         if (size(outlines) > 0) call check_order(state, card, field, &
@@ -70,23 +68,28 @@ contains
         end do
     end function find_outline
 
-    !> Why there is no outline of a name.
-    pure function missing_words(state, name) result(words)
-        type(state_type), intent(in) :: state   !! the job so far
-        character(*), intent(in) :: name        !! in capitals
-        character(:), allocatable :: words
+    !> Says why there is no outline of a name.
+    pure subroutine blame_missing(state, card, field, faults)
+        type(state_type), intent(in) :: state           !! the job so far
+        type(card_type), intent(in) :: card             !! the card
+        integer, intent(in) :: field                    !! where the name stands
+        type(fault_list_type), intent(inout) :: faults  !! gets the fault
+        character(:), allocatable :: name
         character(name_length) :: names(state%outlines)
         integer :: i
 
+        name = field_text(card, field)
         do i = 1, state%outlines
             names(i) = state%body%outline(i)%name
         end do
         if (find_line(state, name) > 0) then
-            words = name//' is a LINE; a duct goes through FAIRED outlines, which are closed'
+            call blame(card, field, name// &
+                ' is a LINE; a duct goes through FAIRED outlines, which are closed', faults)
         else
-            words = 'there is no FAIRED '//name//' before this card'//suggestion(name, names)
+            call blame(card, field, 'there is no FAIRED '//name//' before this card'// &
+                suggestion(name, names), faults)
         end if
-    end function missing_words
+    end subroutine blame_missing
 
     !> An outline stands aft of the one before it.
     pure subroutine check_order(state, card, field, pair, faults)

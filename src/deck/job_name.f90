@@ -20,30 +20,32 @@ contains
         name = field_text(card, 2)
         if (state%ducts > 0) then
             if (any(state%body%duct(:state%ducts)%name == name)) &
-                call blame(card, 2, taken_by('DUCT', card), faults)
+                call blame_taken('DUCT', card, faults)
         end if
         if (state%patches > 0) then
             if (any(state%body%patch(:state%patches)%name == name)) &
-                call blame(card, 2, taken_by('PATCH', card), faults)
+                call blame_taken('PATCH', card, faults)
         end if
         if (state%sections > 0) then
             if (any(state%body%section(:state%sections)%name == name)) &
-                call blame(card, 2, taken_by('SECTION', card), faults)
+                call blame_taken('SECTION', card, faults)
         end if
     end subroutine check_name
 
-    !> Which part has the name of a card, in words.
-    pure function taken_by(part, card) result(words)
-        character(*), intent(in) :: part    !! the word of its card
-        type(card_type), intent(in) :: card !! a PATCH or DUCT card
-        character(:), allocatable :: words
+    !> Says which part has the name of a card.
+    pure subroutine blame_taken(part, card, faults)
+        character(*), intent(in) :: part                !! the word of its card
+        type(card_type), intent(in) :: card             !! a PATCH or DUCT card
+        type(fault_list_type), intent(inout) :: faults  !! gets the fault
 
         if (part == field_text(card, 1)) then
-            words = 'a second '//part//' '//field_text(card, 2)//'; give it another name'
+            call blame(card, 2, 'a second '//part//' '//field_text(card, 2)// &
+                '; give it another name', faults)
         else
-            words = 'there is a '//part//' '//field_text(card, 2)//'; give the '// &
-                trim(merge('duct ', 'patch', field_text(card, 1) == 'DUCT'))//' another name'
+            call blame(card, 2, 'there is a '//part//' '//field_text(card, 2)//'; give the '// &
+                trim(merge('duct ', 'patch', field_text(card, 1) == 'DUCT'))//' another name', &
+                faults)
         end if
-    end function taken_by
+    end subroutine blame_taken
 
 end module deck_job_name

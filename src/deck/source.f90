@@ -185,7 +185,7 @@ contains
                 if (got >= 0) exit
                 if (.not. can_try_again(source%descriptor, to_read)) exit
             end do
-            if (got < 0) source%trouble = last_error()
+            if (got < 0) source%trouble = trim(last_error())
             source%filled = max(0_i64, int(got, i64))
             if (allocated(source%sum)) call source%sum%take(source%block(:source%filled))
         end if

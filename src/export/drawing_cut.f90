@@ -93,8 +93,8 @@ contains
         type(cut_type), intent(in) :: cut           !! of it
         type(shape_type), intent(inout) :: shape    !! gets it; and no contours
 
-        shape%name = cut_name(cut)
-        shape%title = cut_title(cut)
+        shape%name = trim(cut_name(cut))
+        shape%title = trim(cut_title(cut))
         shape%kind = cut%plane%kind
         shape%plane = cut%plane
         shape%skin = cut%skin

@@ -24,8 +24,8 @@ contains
         integer :: half, count, i
 
         cut = measured_cut(outline)
-        shape%name = cut_name(cut)
-        shape%title = cut_title(cut)
+        shape%name = trim(cut_name(cut))
+        shape%title = trim(cut_title(cut))
         shape%kind = cut%plane%kind
         shape%plane = cut%plane
         shape%arcs = cut%arcs

@@ -13,16 +13,19 @@ module export_drawing_name
 
     public :: cut_name, cut_title, safe_name, make_unique
 
+    !> Room for a title: that of a plane with the three ordinates of a point.
+    integer, parameter :: longest_title = 120
+
 contains
 
     !> The name of a cut: `STA_20`, `BL_-4.5`, `WL_-16_FLOOR`, `OBL_FIREWALL`, `PLANE`.
     pure function cut_name(cut) result(name)
         type(cut_type), intent(in) :: cut   !! any
-        character(:), allocatable :: name
+        character(longest_title) :: name
         character(*), parameter :: names(5) = [character(5) :: 'STA', 'BL', 'WL', 'OBL', 'PLANE']
 
         name = kind_words(cut%plane, names, '_')
-        if (len_trim(cut%name) > 0) name = name//'_'//trim(adjustl(cut%name))
+        if (len_trim(cut%name) > 0) name = trim(name)//'_'//adjustl(cut%name)
         name = safe_name(name)
     end function cut_name
 
@@ -30,15 +33,15 @@ contains
     !> without name the point it goes through.
     pure function cut_title(cut) result(title)
         type(cut_type), intent(in) :: cut !! any
-        character(:), allocatable :: title
+        character(longest_title) :: title
         character(*), parameter :: titles(5) = [character(9) :: 'STATION', 'BUTT LINE', &
             'WATERLINE', 'OBLIQUE', 'PLANE']
 
         title = kind_words(cut%plane, titles, ' ')
         if (len_trim(cut%name) > 0) then
-            title = title//' '//trim(adjustl(cut%name))
+            title = trim(title)//' '//adjustl(cut%name)
         else if (cut%plane%kind > cut_kind%waterline) then
-            title = title//' THROUGH STA '//shortest(cut%plane%through(1))//' BL '// &
+            title = trim(title)//' THROUGH STA '//shortest(cut%plane%through(1))//' BL '// &
                 shortest(cut%plane%through(2))//' WL '//shortest(cut%plane%through(3))
         end if
     end function cut_title
@@ -48,21 +51,21 @@ contains
         type(plane_type), intent(in) :: plane   !! of a cut
         character(*), intent(in) :: words(:)    !! of each of `cut_kind%...`
         character, intent(in) :: gap            !! between word and ordinate
-        character(:), allocatable :: text
-        text = trim(words(plane%kind))
+        character(longest_title) :: text
+        text = words(plane%kind)
         if (plane%kind <= cut_kind%waterline) &
-            text = text//gap//shortest(plane%through(plane%kind))
+            text = trim(text)//gap//shortest(plane%through(plane%kind))
     end function kind_words
 
     !> A text with `_` for every byte that a name may not have; never empty.
     pure function safe_name(text) result(name)
         character(*), intent(in) :: text !! any bytes
-        character(:), allocatable :: name
+        character(max(1, len_trim(text))) :: name
         character(*), parameter :: letters = 'ABCDEFGHIJKLMNOPQRSTUVWXYZ', &
             others = 'abcdefghijklmnopqrstuvwxyz0123456789-_.'
 
         name = limited(trim(text), letters//others, '_')
-        if (len(name) == 0) name = '_'
+        if (name == '') name = '_'
     end function safe_name
 
     !> Gives the names in a drawing that stand there before, in any case of letters, the suffix

@@ -4,7 +4,7 @@ module export_mesh_wall
     use base_error, only: error_type
     use base_kinds, only: dp
     use body_body, only: body_type
-    use cut_measure_ring, only: link_type, rings_at, why_open
+    use cut_measure_ring, only: link_type, rings_at, find_opening
     use export_mesh, only: add_normal, add_triangle, mesh_part_type, mesh_type
     use export_mesh_plan, only: plan_type
     use export_mesh_row, only: first_row, row_type
@@ -29,7 +29,7 @@ contains
             associate (stretch => plan%runs(i)%stretch)
                 call rings_at(body, 0.5_dp*(stretch%from + stretch%to), links, error)
             end associate
-            if (.not. allocated(error)) why = why_open(body, links)
+            if (.not. allocated(error)) call find_opening(body, links, why)
             if (allocated(error)) why = error%message
             if (len(why) > 0) return
         end do

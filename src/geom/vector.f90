@@ -1,8 +1,7 @@
 !> Products of vectors, and how a point is written in a sentence.
 module geom_vector
     use base_kinds, only: dp, i64
-    use base_length, only: compact_length
-    use base_text, only: compact
+    use base_text, only: compact, compact_length
     use geom_twofold, only: exact_product, operator(*), operator(+), operator(-), twofold_type
     implicit none (type, external)
     private

@@ -17,7 +17,6 @@ module report_arc_listing
     use base_output, only: output_type
     use base_text, only: columns, compact, counted, right, to_text, upper
     use cut_outline, only: cut_type
-    use cut_plane, only: cut_kind
     use geom_arc_chain, only: chain_arc_type
     use report_ordinate, only: ordinate_form_type, ordinate_text, ordinate_words
     use report_page, only: page_type, widest_page
@@ -73,26 +72,19 @@ contains
 
     !> What U and V of a cut are, where they are ordinates.
     pure function axes_of(cut) result(text)
-        type(cut_type), intent(in) :: cut   !! any
-        character(:), allocatable :: text
-
-        select case (cut%plane%kind)
-        case (cut_kind%station)
-            text = '; U IS BL, V IS WL'
-        case (cut_kind%buttock)
-            text = '; U IS STA, V IS WL'
-        case (cut_kind%waterline)
-            text = '; U IS STA, V IS BL'
-        case default
-            text = '; U AND V AS ABOVE'
-        end select
+        type(cut_type), intent(in) :: cut !! any
+        character(19), parameter :: words(5) = [character(19) :: '; U IS BL, V IS WL', &
+            '; U IS STA, V IS WL', '; U IS STA, V IS BL', '; U AND V AS ABOVE', &
+            '; U AND V AS ABOVE']
+        character(len_trim(words(cut%plane%kind))) :: text
+        text = words(cut%plane%kind)
     end function axes_of
 
     !> The line above a table.
     pure function head_of(table, number) result(text)
         type(arc_table_type), intent(in) :: table   !! the arcs
         integer, intent(in) :: number               !! which outline, or inside
-        character(:), allocatable :: text
+        character(widest_page) :: text
         integer(i64) :: arcs, points
 
         arcs = size(table%arcs, kind=i64)
@@ -101,7 +93,7 @@ contains
             table%is_inside))//' '//to_text(number)//', '// &
             trim(merge('CLOSED', 'OPEN  ', table%is_closed))//': '//upper(counted(arcs, 'arc'))// &
             ', '//upper(counted(points, 'point'))
-        if (any(.not. table%arcs%is_primary)) text = text//', '// &
+        if (any(.not. table%arcs%is_primary)) text = trim(text)//', '// &
             to_text(count(.not. table%arcs%is_primary))//' OF THEM SECONDARY (S)'
     end function head_of
 
@@ -191,27 +183,27 @@ contains
 
         worst = maxloc(table%arcs%deviation, 1)
         associate (arc => table%arcs(worst))
-            call page%line(out, 'LARGEST DEVIATION '//deviation_text(arc, form)//', OF ARC '// &
-                to_text(worst)//' AT U '//ordinate_words(form, arc%worst(1))//'  V '// &
+            call page%line(out, 'LARGEST DEVIATION '//trim(deviation_text(arc, form))// &
+                ', OF ARC '//to_text(worst)//' AT U '//ordinate_words(form, arc%worst(1))//'  V '// &
                 ordinate_words(form, arc%worst(2)))
         end associate
     end subroutine print_largest
 
-    !> A deviation in few figures, without blanks.
+    !> A deviation in few figures, blanks behind them.
     pure function deviation_text(arc, form) result(text)
         type(chain_arc_type), intent(in) :: arc         !! any
         type(ordinate_form_type), intent(in) :: form    !! unit
-        character(:), allocatable :: text
+        character(deviation_width) :: text
         text = '0.'
-        if (arc%deviation > 0.0_dp) text = trim(adjustl(scientific(form%factor*arc%deviation, &
-            deviation_width, deviation_figures)))
+        if (arc%deviation > 0.0_dp) text = adjustl(scientific(form%factor*arc%deviation, &
+            deviation_width, deviation_figures))
     end function deviation_text
 
     !> A point in its columns.
     pure function place_text(at, form) result(text)
         real(dp), intent(in) :: at(2)                   !! u and v, deck units
         type(ordinate_form_type), intent(in) :: form    !! of ordinates
-        character(:), allocatable :: text
+        character(widest_page) :: text
         text = ordinate_text(form, at(1), columns_of(form))// &
             ordinate_text(form, at(2), columns_of(form))
     end function place_text

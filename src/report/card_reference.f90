@@ -137,41 +137,38 @@ contains
         if (size(field) > 0) call out%line( &
             '  field  columns  name      holds     unit       meaning')
         do i = 1, size(field)
-            call out%line(field_line(field(i)))
+            call print_field(field(i), out)
         end do
         if (layout%options /= '') call out%line('  behind  options: '//trim(layout%options))
     end subroutine print_body_layout
 
-    !> One field of a card of a body deck.
-    pure function field_line(field) result(text)
-        type(body_field_type), intent(in) :: field !! the field
-        character(:), allocatable :: text
+    !> Prints one field of a card of a body deck.
+    subroutine print_field(field, out)
+        type(body_field_type), intent(in) :: field  !! the field
+        type(output_type), intent(inout) :: out     !! where it goes
         character(8) :: name, holds
+        character(:), allocatable :: text
 
         name = field%name
         if (field%need == need%optional) name = '['//trim(field%name)//']'
         if (any(field%need == [need%repeated, need%paired])) name = trim(field%name)//'...'
         holds = form_words(field)
         text = '  '//right(to_text(field%field), 5)//'  '//right(columns_text(field%field), 7)// &
-            '  '//name//'  '//holds//'  '//field%unit//'  '
-        text = text//trim(field%words)
+            '  '//name//'  '//holds//'  '//field%unit//'  '//trim(field%words)
         if (field%words /= '' .and. field%meaning /= '') text = text//': '
-        text = text//trim(field%meaning)
-    end function field_line
+        call out%line(text//trim(field%meaning))
+    end subroutine print_field
 
     !> The columns of a field: `9-16`, or `+9-16` on a continuation.
     pure function columns_text(number) result(text)
         integer, intent(in) :: number !! which field, from 1
-        character(:), allocatable :: text
+        character(7) :: text
         integer :: place
 
         place = number
-        text = ''
-        if (number > fields_across) then
-            place = number - fields_across + 1
-            text = '+'
-        end if
-        text = text//to_text(field_width*(place - 1) + 1)//'-'//to_text(field_width*place)
+        if (number > fields_across) place = number - fields_across + 1
+        text = to_text(field_width*(place - 1) + 1)//'-'//to_text(field_width*place)
+        if (number > fields_across) text = '+'//text(:6)
     end function columns_text
 
     !> Prints the option words of data cards.

@@ -7,7 +7,7 @@ module report_clearance_listing
     use base_text, only: right
     use cut_clearance, only: clearance_type
     use report_ordinate, only: ordinate_form_type, ordinate_text
-    use report_page, only: page_columns, page_type
+    use report_page, only: page_columns, page_type, widest_page
     implicit none (type, external)
     private
 
@@ -50,7 +50,7 @@ contains
     pure function row(clearance, form) result(text)
         type(clearance_type), intent(in) :: clearance   !! the component
         type(ordinate_form_type), intent(in) :: form    !! unit and decimals
-        character(:), allocatable :: text
+        character(widest_page) :: text
         character(name_width) :: name
         integer :: i
 
@@ -58,9 +58,9 @@ contains
         text = name//ordinate_text(form, clearance%asked, figure_width)// &
             ordinate_text(form, clearance%gap, figure_width)
         do i = 1, 3
-            text = text//ordinate_text(form, clearance%nearest(i), ordinate_width)
+            text = trim(text)//ordinate_text(form, clearance%nearest(i), ordinate_width)
         end do
-        if (clearance%is_short) text = text//'  TOO SMALL'
+        if (clearance%is_short) text = trim(text)//'  TOO SMALL'
     end function row
 
 end module report_clearance_listing

@@ -53,21 +53,26 @@ contains
         integer :: k
 
         do k = 1, size(outline%points)
-            call out%line(front//trim(section_names(outline%points(k)%section))//','// &
-                point_text(outline%points(k)))
+            call print_point(front//trim(section_names(outline%points(k)%section)), &
+                outline%points(k), out)
         end do
     end subroutine print_outline_csv
 
-    !> The numbers of a point; one that does not exist is an empty field.
-    pure function point_text(point) result(text)
-        type(cut_point_type), intent(in) :: point !! the point
+    !> Prints the numbers of a point; one that does not exist is an empty field.
+    subroutine print_point(front, point, out)
+        character(*), intent(in) :: front           !! what stands in front of them
+        type(cut_point_type), intent(in) :: point   !! the point
+        type(output_type), intent(inout) :: out     !! where they go
         character(:), allocatable :: text
-        text = shortest(point%at(1))//','//shortest(point%at(2))//','//shortest(point%at(3))//','
+
+        text = front//','//shortest(point%at(1))//','//shortest(point%at(2))//','// &
+            shortest(point%at(3))//','
         if (point%has_slope) text = text//slope_text(point%slope)
         text = text//','
         if (point%has_curvature) text = text//shortest(point%curvature)
         text = text//','
         if (point%has_normal) text = text//shortest(point%bevel)
-    end function point_text
+        call out%line(text)
+    end subroutine print_point
 
 end module report_cut_csv

@@ -10,9 +10,9 @@
 !> are stated.
 module report_cut_listing
     use base_exact, only: is_zero
-    use base_kinds, only: dp
+    use base_kinds, only: dp, i64
     use base_output, only: output_type
-    use base_text, only: columns, compact, right, to_text
+    use base_text, only: columns, compact, compact_length, right, to_text
     use cut_outline, only: cut_point_type, cut_type, note_type, outline_type
     use cut_plane, only: cut_kind, plane_type
     use base_digits, only: fixed, scientific
@@ -68,17 +68,17 @@ contains
         integer, intent(in) :: number                   !! which cut of the deck
         type(cut_type), intent(in) :: cut               !! the cut
         type(ordinate_form_type), intent(in) :: form    !! of ordinates
-        character(:), allocatable :: text
+        character(widest_page) :: text
         text = 'CUT '//to_text(number)//'   '//plane_words(cut%plane, form)
-        if (cut%name /= '') text = text//'   '//trim(cut%name)
-        text = text//'   FLANGE '//merge('FWD', 'AFT', cut%is_flange_forward)
+        if (cut%name /= '') text = trim(text)//'   '//trim(cut%name)
+        text = trim(text)//'   FLANGE '//merge('FWD', 'AFT', cut%is_flange_forward)
     end function head_of
 
     !> A plane in words: `STATION 20.000`.
     function plane_words(plane, form) result(text)
         type(plane_type), intent(in) :: plane           !! the plane
         type(ordinate_form_type), intent(in) :: form    !! of ordinates
-        character(:), allocatable :: text
+        character(widest_page) :: text
         select case (plane%kind)
         case (cut_kind%station)
             text = 'STATION '//ordinate_words(form, plane%through(1))
@@ -125,7 +125,7 @@ contains
         do i = 1, size(outline%points)
             associate (point => outline%points(i))
                 if (point%section /= section .and. point%section > 0) then
-                    call page%line(out, kind_word(cut, point%section)//' '// &
+                    call page%line(out, trim(kind_word(cut, point%section))//' '// &
                         trim(sections(point%section)))
                     section = point%section
                 end if
@@ -146,12 +146,12 @@ contains
         type(output_type), intent(inout) :: out         !! where it goes
         integer :: i
         do i = 1, size(cut%patched)
-            call page%line(out, 'ON '//panels_word(cut)//': OUTLINE '//to_text(i)//' OF '// &
+            call page%line(out, 'ON '//trim(panels_word(cut))//': OUTLINE '//to_text(i)//' OF '// &
                 to_text(size(cut%patched))// &
                 trim(merge(', CLOSED', ', OPEN  ', cut%patched(i)%is_closed)))
             call print_points(page, cut, cut%patched(i), sections, form, out)
         end do
-        call page%line(out, 'ON '//panels_word(cut)//': WITHIN '// &
+        call page%line(out, 'ON '//trim(panels_word(cut))//': WITHIN '// &
             trim(adjustl(scientific(form%factor*cut%off_plane, 10, 2)))//' OF THE PLANE')
     end subroutine print_patched
 
@@ -254,7 +254,7 @@ contains
     pure function slope_figure(point, width) result(text)
         type(cut_point_type), intent(in) :: point   !! the point
         integer, intent(in) :: width                !! columns
-        character(:), allocatable :: text
+        character(width) :: text
         integer :: figures
 
         if (.not. point%has_slope) then
@@ -272,7 +272,7 @@ contains
         type(cut_point_type), intent(in) :: point       !! the point
         type(ordinate_form_type), intent(in) :: form    !! of ordinates
         integer, intent(in) :: width                    !! columns
-        character(:), allocatable :: text
+        character(width) :: text
         if (.not. point%has_curvature) then
             text = right('', width)
         else if (is_zero(point%curvature)) then
@@ -291,7 +291,7 @@ contains
     !> A unit vector in a sentence.
     pure function vector(v) result(text)
         real(dp), intent(in) :: v(3) !! STA, BL, WL
-        character(:), allocatable :: text
+        character(len('(, , )', i64) + sum(compact_length(v))) :: text
         text = '('//compact(v(1))//', '//compact(v(2))//', '//compact(v(3))//')'
     end function vector
 

@@ -15,7 +15,7 @@ module report_duct_listing
     use body_duct, only: duct_outline_type, duct_type
     use cut_duct, only: duct_measure_type, duct_section_type
     use report_ordinate, only: ordinate_form_type, ordinate_text, ordinate_words
-    use report_page, only: page_columns, page_type
+    use report_page, only: page_columns, page_type, widest_page
     implicit none (type, external)
     private
 
@@ -75,10 +75,10 @@ contains
     pure function outline_row(outline, form) result(text)
         type(duct_outline_type), intent(in) :: outline  !! of a duct
         type(ordinate_form_type), intent(in) :: form    !! unit and decimals
-        character(:), allocatable :: text
+        character(widest_page) :: text
         text = outline%name//' '//ordinate_text(form, outline%sta, figure_width)// &
             right(to_text(outline%points), count_width)//right(to_text(outline%first), begin_width)
-        if (outline%is_turned) text = text//'  TURNED'
+        if (outline%is_turned) text = trim(text)//'  TURNED'
     end function outline_row
 
     !> Prints the sections of a duct, and its volume.
@@ -112,20 +112,20 @@ contains
         type(duct_type), intent(in) :: duct                 !! the duct
         type(duct_section_type), intent(in) :: section      !! of it
         type(ordinate_form_type), intent(in) :: form        !! unit and decimals
-        character(:), allocatable :: text
+        character(widest_page) :: text
 
         text = ordinate_text(form, section%sta, figure_width)// &
             fixed(form%factor**2*section%area, area_width, form%decimals)
         if (section%has_perimeter .and. section%perimeter > 0.0_dp) then
-            text = text//fixed(form%factor*section%perimeter, figure_width, form%decimals)// &
+            text = trim(text)//fixed(form%factor*section%perimeter, figure_width, form%decimals)// &
                 fixed(form%factor*4.0_dp*section%area/section%perimeter, figure_width, &
                 form%decimals)
         else
-            text = text//right('-', figure_width)//right('-', figure_width)
+            text = trim(text)//right('-', figure_width)//right('-', figure_width)
         end if
-        text = text//ordinate_text(form, section%centroid(1), figure_width)// &
+        text = trim(text)//ordinate_text(form, section%centroid(1), figure_width)// &
             ordinate_text(form, section%centroid(2), figure_width)
-        if (section%outline > 0) text = text//'  '//trim(duct%outline(section%outline)%name)
+        if (section%outline > 0) text = trim(text)//'  '//trim(duct%outline(section%outline)%name)
     end function section_row
 
 end module report_duct_listing

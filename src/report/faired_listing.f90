@@ -9,8 +9,8 @@ module report_faired_listing
     use base_text, only: compact, right
     use body_faired, only: faired_point_type, faired_type
     use deck_job, only: view
-    use report_ordinate, only: ordinate_form_type, ordinate_text, ordinate_words
-    use report_page, only: page_columns, page_type
+    use report_ordinate, only: ordinate_form_type, ordinate_text, ordinate_words, widest_ordinate
+    use report_page, only: page_columns, page_type, widest_page
     implicit none (type, external)
     private
 
@@ -44,7 +44,7 @@ contains
                 call page%line(out, list(i)%line//'  '//view_names(list(i)%view)//' '// &
                     row(list(i)%point(j), list(i)%view, form))
             end do
-            call page%paragraph(out, '  '//largest(list(i), form))
+            call page%paragraph(out, '  '//trim(largest(list(i), form)))
         end do
         call page%end_columns()
         call page%blank(out)
@@ -56,17 +56,17 @@ contains
         type(faired_point_type), intent(in) :: point    !! the point
         integer, intent(in) :: which                    !! one of `view%...`
         type(ordinate_form_type), intent(in) :: form    !! unit and decimals
-        character(:), allocatable :: text
+        character(widest_page) :: text
 
         text = right(compact(point%weight), weight_width)
         if (point%is_held) text = right('HELD', weight_width)
-        text = text//ordinate_text(form, point%sta, figure_width)// &
-            figure(point%measured, which, form)
+        text = trim(text)//ordinate_text(form, point%sta, figure_width)// &
+            trim(figure(point%measured, which, form))
         if (point%is_on) then
-            text = text//figure(point%faired, which, form)// &
-                figure(point%faired - point%measured, which, form)
+            text = trim(text)//trim(figure(point%faired, which, form))// &
+                trim(figure(point%faired - point%measured, which, form))
         else
-            text = text//right('-', figure_width)//right('-', figure_width)
+            text = trim(text)//right('-', figure_width)//right('-', figure_width)
         end if
     end function row
 
@@ -75,7 +75,7 @@ contains
         real(dp), intent(in) :: value                   !! deck units or degrees
         integer, intent(in) :: which                    !! one of `view%...`
         type(ordinate_form_type), intent(in) :: form    !! unit and decimals
-        character(:), allocatable :: text
+        character(widest_ordinate) :: text
         if (which == view%angle) then
             text = fixed(value, figure_width, angle_decimals)
         else
@@ -87,7 +87,7 @@ contains
     pure function largest(item, form) result(words)
         type(faired_type), intent(in) :: item           !! a faired view
         type(ordinate_form_type), intent(in) :: form    !! unit and decimals
-        character(:), allocatable :: words
+        character(widest_page) :: words
         real(dp) :: miss(size(item%point))
         integer :: worst
 

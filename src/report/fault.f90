@@ -55,7 +55,7 @@ contains
     !> The word for a severity.
     pure function grade(level) result(word)
         integer, intent(in) :: level !! one of `severity%...`
-        character(:), allocatable :: word
+        character(merge(5, 7, level == severity%error)) :: word
         word = 'warning'
         if (level == severity%error) word = 'error'
     end function grade
@@ -63,9 +63,9 @@ contains
     !> A card image in which each byte is one column: what is not plain ASCII shows as `?`.
     pure function shown(card) result(image)
         character(*), intent(in) :: card !! the card image
-        character(:), allocatable :: image
+        character(len_trim(card(:min(len(card), shown_columns)))) :: image
         integer :: i
-        image = trim(card(:min(len(card), shown_columns)))
+        image = card
         do i = 1, len(image)
             if (ichar(image(i:i)) < 32 .or. ichar(image(i:i)) > 126) image(i:i) = '?'
         end do

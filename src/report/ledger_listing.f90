@@ -10,7 +10,7 @@ module report_ledger_listing
     use body_ledger, only: joint_type, joint_words
     use base_digits, only: fixed, scientific
     use report_ordinate, only: ordinate_form_type, ordinate_text
-    use report_page, only: page_columns, page_type
+    use report_page, only: page_columns, page_type, widest_page
     implicit none (type, external)
     private
 
@@ -43,7 +43,7 @@ contains
         call page%set_columns(out, head)
         do i = 1, size(joints)
             call page%line(out, row(joints(i), form))
-            call page%paragraph(out, '  '//upper(joint_words(joints(i))))
+            call page%paragraph(out, '  '//upper(trim(joint_words(joints(i)))))
         end do
         call page%end_columns()
         call page%blank(out)
@@ -54,7 +54,7 @@ contains
     pure function row(joint, form) result(text)
         type(joint_type), intent(in) :: joint           !! the joint
         type(ordinate_form_type), intent(in) :: form    !! unit and decimals
-        character(:), allocatable :: text
+        character(widest_page) :: text
         real(dp) :: curvature(2)
 
         curvature = joint%curvature/form%factor

@@ -7,7 +7,7 @@ module report_measure_listing
     use cut_measure_body, only: body_measure_type
     use base_digits, only: fixed, scientific
     use report_ordinate, only: ordinate_form_type, ordinate_text, ordinate_words
-    use report_page, only: page_columns, page_type
+    use report_page, only: page_columns, page_type, widest_page
     implicit none (type, external)
     private
 
@@ -69,19 +69,19 @@ contains
     pure function section_row(section, form) result(text)
         type(section_measure_type), intent(in) :: section   !! the section
         type(ordinate_form_type), intent(in) :: form        !! unit and decimals
-        character(:), allocatable :: text
+        character(widest_page) :: text
 
         text = ordinate_text(form, section%sta, figure_width)
         if (section%has_girth) then
-            text = text//fixed(form%factor*section%girth, figure_width, form%decimals)
+            text = trim(text)//fixed(form%factor*section%girth, figure_width, form%decimals)
         else
-            text = text//right('-', figure_width)
+            text = trim(text)//right('-', figure_width)
         end if
         if (.not. section%has_area) then
-            text = text//right('-', large_width)
+            text = trim(text)//right('-', large_width)
             return
         end if
-        text = text//fixed(form%factor**2*section%area, large_width, form%decimals)// &
+        text = trim(text)//fixed(form%factor**2*section%area, large_width, form%decimals)// &
             ordinate_text(form, section%centroid(2), large_width)// &
             fixed(form%factor**4*section%inertia(1), large_width + 3, form%decimals)// &
             fixed(form%factor**4*section%inertia(2), large_width + 3, form%decimals)
@@ -99,7 +99,7 @@ contains
     pure function lopsided_row(section, form) result(text)
         type(section_measure_type), intent(in) :: section   !! the section
         type(ordinate_form_type), intent(in) :: form        !! unit and decimals
-        character(:), allocatable :: text
+        character(widest_page) :: text
         text = right('CENTROID BL', figure_width + figure_width + large_width)// &
             ordinate_text(form, section%centroid(1), large_width)// &
             right('PRODUCT', large_width + 3)// &
@@ -133,7 +133,7 @@ contains
         real(dp), intent(in) :: value           !! in deck units to some power
         real(dp), intent(in) :: error_estimate  !! of the quadrature, the same
         real(dp), intent(in) :: factor          !! printed unit over deck unit, to that power
-        character(:), allocatable :: text
+        character(widest_page) :: text
         text = fixed(factor*value, 20, 6)//'   ERROR BELOW '// &
             trim(adjustl(scientific(factor*error_estimate, 10, 2)))
     end function figure

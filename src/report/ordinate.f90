@@ -15,6 +15,8 @@ module report_ordinate
     real(dp), parameter :: mm_per_inch = 25.4_dp
     !> Inches in a foot.
     real(dp), parameter :: inches_per_foot = 12.0_dp
+    !> Columns of the longest ordinate of feet, inches and eighths.
+    integer, parameter, public :: widest_ordinate = 24
 
     !> How ordinates are printed.
     type :: ordinate_form_type
@@ -58,7 +60,7 @@ contains
         type(ordinate_form_type), intent(in) :: form !! how
         real(dp), intent(in) :: value                !! deck units
         integer, intent(in) :: width                 !! columns
-        character(:), allocatable :: text
+        character(ordinate_width(form, value, width)) :: text
         if (form%is_fie) then
             text = right(feet_inches_eighths(form%factor*value), width)
         else
@@ -66,33 +68,42 @@ contains
         end if
     end function ordinate_text
 
+    !> Columns of an ordinate: more than asked where feet and inches need them.
+    pure integer function ordinate_width(form, value, width) result(columns)
+        type(ordinate_form_type), intent(in) :: form !! how
+        real(dp), intent(in) :: value                !! deck units
+        integer, intent(in) :: width                 !! columns asked
+        columns = width
+        if (form%is_fie) columns = max(width, len_trim(feet_inches_eighths(form%factor*value)))
+    end function ordinate_width
+
     !> An ordinate for a sentence, without blanks.
     pure function ordinate_words(form, value) result(text)
         type(ordinate_form_type), intent(in) :: form !! how
         real(dp), intent(in) :: value                !! deck units
-        character(:), allocatable :: text
-        integer, parameter :: room = 24
-        text = trim(adjustl(ordinate_text(form, value, room)))
+        character(len_trim(adjustl(ordinate_text(form, value, widest_ordinate)))) :: text
+        text = adjustl(ordinate_text(form, value, widest_ordinate))
     end function ordinate_words
 
     !> Inches as feet, inches and eighths; an odd sixteenth is a `+` behind the eighth below it.
+    !> Blanks behind them.
     pure function feet_inches_eighths(inches) result(text)
         real(dp), intent(in) :: inches !! any number
-        character(:), allocatable :: text
+        character(widest_ordinate) :: text
         character(2) :: whole_inches
         integer(i64) :: sixteenths
 
         sixteenths = nint(16.0_dp*abs(inches), i64)
         write (whole_inches, '(i2.2)') mod(sixteenths/16, 12_i64)
         text = to_text(sixteenths/192)//'-'//whole_inches//'-'//to_text(mod(sixteenths, 16_i64)/2)
-        if (mod(sixteenths, 2_i64) == 1) text = text//'+'
-        if (inches < 0.0_dp .and. sixteenths > 0) text = '-'//text
+        if (mod(sixteenths, 2_i64) == 1) text = trim(text)//'+'
+        if (inches < 0.0_dp .and. sixteenths > 0) text = '-'//text(:widest_ordinate - 1)
     end function feet_inches_eighths
 
     !> The most a printed ordinate is off by its rounding, in words.
     pure function largest_rounding(form) result(words)
         type(ordinate_form_type), intent(in) :: form !! how
-        character(:), allocatable :: words
+        character(44) :: words
         if (form%is_fie) then
             words = 'ROUNDED TO THE NEAREST SIXTEENTH OF AN INCH'
         else

@@ -5,12 +5,12 @@ module report_outline_listing
     use base_error, only: error_type
     use base_kinds, only: dp
     use base_output, only: output_type
-    use base_text, only: compact, right, to_text
+    use base_text, only: compact, right, to_text, widest_compact
     use body_outline, only: outline_type
     use cut_faired, only: faired_cut, ring_length, points_around
     use cut_outline, only: cut_type
     use geom_fairing, only: faired_energy
-    use report_ordinate, only: ordinate_form_type, ordinate_text, ordinate_words
+    use report_ordinate, only: ordinate_form_type, ordinate_text, ordinate_words, widest_ordinate
     use report_page, only: page_columns, page_type
     implicit none (type, external)
     private
@@ -77,7 +77,7 @@ contains
     !> A figure of ten digits in its columns.
     pure function figure(value) result(text)
         real(dp), intent(in) :: value !! printed units
-        character(:), allocatable :: text
+        character(energy_width) :: text
         text = scientific(value, energy_width, energy_decimals)
     end function figure
 
@@ -85,7 +85,7 @@ contains
     pure function asked_words(outline, square) result(words)
         type(outline_type), intent(in) :: outline   !! faired
         real(dp), intent(in) :: square              !! printed units squared in one of the deck
-        character(:), allocatable :: words
+        character(12 + widest_compact) :: words
         words = '   AS IT COMES'
         if (outline%has_area) words = '   ASKED '//compact(square*outline%area)
     end function asked_words
@@ -107,8 +107,9 @@ contains
         call page%set_columns(out, head)
         associate (measured => outline%measured%point, near => outline%fairing%near)
             do i = 1, size(measured, 2)
-                call page%line(out, right(to_text(i), number_width)//pair(measured(:, i), form)// &
-                    pair(near(:, i), form)//ordinate_text(form, norm2(near(:, i) &
+                call page%line(out, right(to_text(i), number_width)// &
+                    trim(pair(measured(:, i), form))// &
+                    trim(pair(near(:, i), form))//ordinate_text(form, norm2(near(:, i) &
                     - measured(:, i)), figure_width))
             end do
         end associate
@@ -134,7 +135,8 @@ contains
             right('CURVATURE', figure_width)])
         do i = 1, points_around
             associate (point => cut%outlines(1)%points(i))
-                call page%line(out, right(to_text(i), number_width)//pair(point%at(2:), form)// &
+                call page%line(out, right(to_text(i), number_width)// &
+                    trim(pair(point%at(2:), form))// &
                     slope_figure(cut, i)//scientific(point%curvature/form%factor, figure_width, 4))
             end associate
         end do
@@ -145,7 +147,7 @@ contains
     pure function pair(at, form) result(text)
         real(dp), intent(in) :: at(2)                   !! BL, WL, deck units
         type(ordinate_form_type), intent(in) :: form    !! unit and decimals
-        character(:), allocatable :: text
+        character(2*widest_ordinate) :: text
         text = ordinate_text(form, at(1), figure_width)//ordinate_text(form, at(2), figure_width)
     end function pair
 
@@ -153,7 +155,7 @@ contains
     pure function slope_figure(cut, number) result(text)
         type(cut_type), intent(in) :: cut   !! the outline
         integer, intent(in) :: number       !! which point
-        character(:), allocatable :: text
+        character(figure_width) :: text
         associate (slope => cut%outlines(1)%points(number)%slope)
             text = right('VERTICAL', figure_width)
             if (.not. slope%is_vertical) text = fixed(slope%value, figure_width, slope_decimals)

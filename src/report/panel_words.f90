@@ -12,7 +12,7 @@ contains
     pure function kind_word(cut, section) result(word)
         type(cut_type), intent(in) :: cut   !! the cut
         integer, intent(in) :: section      !! of a point
-        character(:), allocatable :: word
+        character(7) :: word
         word = 'DUCT'
         if (section <= cut%sections) then
             word = 'SECTION'
@@ -24,7 +24,7 @@ contains
     !> What the outlines on panels are on.
     pure function panels_word(cut) result(words)
         type(cut_type), intent(in) :: cut   !! with outlines on panels
-        character(:), allocatable :: words
+        character(17) :: words
         logical :: has_patch, has_duct
         integer :: i
 

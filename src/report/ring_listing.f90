@@ -13,7 +13,7 @@ module report_ring_listing
     use body_ring_list, only: closure, loose_end_type, meeting_type, ring_type, stretch_type
     use base_digits, only: fixed
     use report_ordinate, only: ordinate_form_type, ordinate_text, ordinate_words
-    use report_page, only: page_columns, page_type
+    use report_page, only: page_columns, page_type, widest_page
     implicit none (type, external)
     private
 
@@ -54,7 +54,7 @@ contains
             call page%paragraph(out, stretch_words(ring%stretches(i), form))
         end do
         do i = 1, size(ring%loose)
-            call page%paragraph(out, '  '//loose_words(body, ring%loose(i), form))
+            call print_loose(page, body, ring%loose(i), form, out)
         end do
         call page%blank(out)
         call page%blank(out)
@@ -65,7 +65,7 @@ contains
         type(body_type), intent(in) :: body             !! the body
         type(meeting_type), intent(in) :: meeting       !! of two of its sections
         type(ordinate_form_type), intent(in) :: form    !! unit and decimals
-        character(:), allocatable :: text
+        character(widest_page) :: text
         character(name_width) :: first, second, line
 
         first = name_of_end(body, meeting%end(1))
@@ -77,7 +77,7 @@ contains
             ordinate_text(form, meeting%to, ordinate_width)// &
             fixed(meeting%break, break_width, break_decimals)
         if (meeting%break*10.0_dp**break_decimals >= 0.5_dp) &
-            text = text//ordinate_text(form, meeting%sta, ordinate_width)
+            text = trim(text)//ordinate_text(form, meeting%sta, ordinate_width)
     end function row
 
     !> Prints the names of the chines, if there are any.
@@ -104,35 +104,38 @@ contains
     pure function stretch_words(stretch, form) result(words)
         type(stretch_type), intent(in) :: stretch       !! of stations
         type(ordinate_form_type), intent(in) :: form    !! unit and decimals
-        character(:), allocatable :: words
+        character(widest_page) :: words
 
         words = 'FROM STA '//ordinate_words(form, stretch%from)//' TO STA '// &
             ordinate_words(form, stretch%to)
         select case (stretch%closure)
         case (closure%round)
-            words = words//' THE SECTIONS GO ALL ROUND'
+            words = trim(words)//' THE SECTIONS GO ALL ROUND'
         case (closure%halves)
-            words = words//' THE SECTIONS GO FROM BL 0 TO BL 0'
+            words = trim(words)//' THE SECTIONS GO FROM BL 0 TO BL 0'
         case default
-            words = words//' THE SECTIONS ARE OPEN'
+            words = trim(words)//' THE SECTIONS ARE OPEN'
         end select
     end function stretch_words
 
-    !> A loose end in words, with the way to the next.
-    pure function loose_words(body, loose, form) result(words)
+    !> Prints a loose end in words, with the way to the next.
+    subroutine print_loose(page, body, loose, form, out)
+        type(page_type), intent(inout) :: page          !! the listing
         type(body_type), intent(in) :: body             !! the body
         type(loose_end_type), intent(in) :: loose       !! end of one of its sections
         type(ordinate_form_type), intent(in) :: form    !! unit and decimals
+        type(output_type), intent(inout) :: out         !! where it goes
         character(:), allocatable :: words
 
-        words = 'FROM STA '//ordinate_words(form, loose%from)//' TO STA '// &
+        words = '  FROM STA '//ordinate_words(form, loose%from)//' TO STA '// &
             ordinate_words(form, loose%to)//' '//name_of_end(body, loose%end)// &
             ' MEETS NO SECTION ON '//line_of_end(body, loose%end)
-        if (loose%next == 0) return
-        words = words//'; THE NEXT SUCH END, OF '//name_of_end(body, loose%next)//' ON '// &
-            line_of_end(body, loose%next)//', IS UP TO '//ordinate_words(form, loose%gap(1))// &
-            ' IN BL AND '//ordinate_words(form, loose%gap(2))//' IN WL AWAY, AT STA '// &
+        if (loose%next > 0) words = words//'; THE NEXT SUCH END, OF '// &
+            name_of_end(body, loose%next)//' ON '//line_of_end(body, loose%next)// &
+            ', IS UP TO '//ordinate_words(form, loose%gap(1))//' IN BL AND '// &
+            ordinate_words(form, loose%gap(2))//' IN WL AWAY, AT STA '// &
             ordinate_words(form, loose%sta)
-    end function loose_words
+        call page%paragraph(out, words)
+    end subroutine print_loose
 
 end module report_ring_listing

@@ -24,8 +24,7 @@ contains
     !> The text of eight columns or fewer that reads nearest to a number, the shortest of those.
     pure function field_figure(value) result(text)
         real(dp), intent(in) :: value !! a finite number, of a size that a card may hold
-        character(:), allocatable :: text
-        character(:), allocatable :: short
+        character(field_width) :: text
         integer :: i
 
         text = '0.'
@@ -33,12 +32,11 @@ contains
         text = ''
         if (abs(value) < most) then
             do i = 0, field_width - 1
-                call take(point_figure(value, i), value, text)
+                call take(trim(point_figure(value, i)), value, text)
             end do
         end if
         do i = 1, field_width - 2
-            short = power_figure(value, i)
-            call take(short, value, text)
+            call take(trim(power_figure(value, i)), value, text)
         end do
     end function field_figure
 
@@ -46,7 +44,7 @@ contains
     pure real(dp) function figure_value(text)
         character(*), intent(in) :: text !! a number
         type(number_type) :: number
-        number = read_number(text, 0)
+        number = read_number(trim(text), 0)
         figure_value = to_real(number%value)
     end function figure_value
 
@@ -54,7 +52,7 @@ contains
     pure subroutine take(offered, value, text)
         character(*), intent(in) :: offered                 !! a way to write the number
         real(dp), intent(in) :: value                       !! the number
-        character(:), allocatable, intent(inout) :: text    !! the best so far; empty: none
+        character(field_width), intent(inout) :: text       !! the best so far; blank: none
         logical :: is_better
 
         if (len(offered) > field_width) return
@@ -68,30 +66,30 @@ contains
     pure function point_figure(value, decimals) result(text)
         real(dp), intent(in) :: value   !! a finite number
         integer, intent(in) :: decimals !! figures behind the point
-        character(:), allocatable :: text
+        character(room) :: text
         integer :: zero
 
-        text = trim(adjustl(fixed(value, room, decimals)))
-        if (index(text, '.') == 0) text = text//'.'
+        text = adjustl(fixed(value, room, decimals))
+        if (index(text, '.') == 0) text = trim(text)//'.'
         zero = index(text, '0.')
         if (zero == 1) text = text(2:)
         if (index(text, '-0.') == 1) text = '-'//text(3:)
-        if (text == '.' .or. verify(text, '.0-') == 0) text = '0.'
+        if (text == '.' .or. verify(trim(text), '.0-') == 0) text = '0.'
     end function point_figure
 
     !> A number with so many figures and a power of ten.
     pure function power_figure(value, figures) result(text)
         real(dp), intent(in) :: value   !! a finite number
         integer, intent(in) :: figures  !! figures in all
-        character(:), allocatable :: text
-        character(:), allocatable :: sign
+        character(room) :: text
+        character :: sign
         integer :: power
 
-        text = trim(adjustl(scientific(value, room, figures)))
+        text = adjustl(scientific(value, room, figures))
         power = index(text, 'E')
         sign = text(power + 1:power + 1)
         if (sign == '+') sign = ''
-        text = text(:power)//sign//text(power + 1 + max(1, verify(text(power + 2:), '0')):)
+        text = text(:power)//trim(sign)//text(power + 1 + max(1, verify(text(power + 2:), '0')):)
     end function power_figure
 
 end module sweep_figure

@@ -10,7 +10,7 @@ module sweep_image
     implicit none (type, external)
     private
 
-    public :: image_type, new_image, variant_text
+    public :: image_type, new_image, write_variant
 
     !> A deck as text, and where its lines are.
     type :: image_type
@@ -69,11 +69,11 @@ contains
         end do
     end function in_order
 
-    !> The deck with the values of a variant.
-    pure function variant_text(image, value) result(text)
-        type(image_type), intent(in) :: image   !! the deck
-        real(dp), intent(in) :: value(:)        !! of the variables
-        character(:), allocatable :: text
+    !> Writes the deck with the values of a variant.
+    pure subroutine write_variant(image, value, text)
+        type(image_type), intent(in) :: image           !! the deck
+        real(dp), intent(in) :: value(:)                !! of the variables
+        character(:), allocatable, intent(out) :: text  !! the deck of the variant
         real(dp) :: wanted
         integer :: i
 
@@ -82,10 +82,10 @@ contains
             associate (target => image%target(i))
                 wanted = value(target%variable)
                 if (target%is_tied) wanted = to_real(target%factor)*wanted + to_real(target%add)
-                call put_figure(image, target, field_figure(wanted), text)
+                call put_figure(image, target, trim(field_figure(wanted)), text)
             end associate
         end do
-    end function variant_text
+    end subroutine write_variant
 
     !> Puts a number into a field. By columns it fills its eight columns, between commas it takes
     !> the room it needs.

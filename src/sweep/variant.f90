@@ -1,9 +1,5 @@
 !> One variant: its deck read as any deck is, its bodies built, measured and held against the
 !> limits. Whatever keeps it from that is said in its row.
-!>
-!> Geometry runs in all threads at once. Reading a deck and writing sentences take turns (`critical
-!> (text)`), because the functions that do it give text of any length, whose length gfortran keeps
-!> in one place for all threads (see base_length); they take a small part of the time.
 module sweep_variant
     use base_decimal, only: to_real
     use base_fault, only: fault_list_type, severity
@@ -17,7 +13,7 @@ module sweep_variant
     use deck_job, only: job_type
     use deck_sweep, only: goal, wanted_type
     use sweep_component, only: component_of
-    use sweep_image, only: variant_text
+    use sweep_image, only: write_variant
     use sweep_measure, only: measure_of, measured_type, value_type
     use sweep_plan, only: values_of
     use sweep_record, only: record_type, state
@@ -37,12 +33,12 @@ contains
         type(measured_type), allocatable :: bodies(:)
         type(fault_list_type) :: faults
         type(job_type) :: job
+        character(:), allocatable :: text
 
         record%number = number
-        !$omp critical (text)
         record%value = values_of(study%plan, number)
-        call read_text(variant_text(study%image, record%value), job, faults)
-        !$omp end critical (text)
+        call write_variant(study%image, record%value, text)
+        call read_text(text, job, faults)
         allocate (record%measure(size(study%shown)), record%has(size(study%shown)))
         record%measure = 0.0_dp
         record%has = .false.

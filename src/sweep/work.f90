@@ -67,13 +67,13 @@ contains
         is_over = is_broken
         if (is_over) return
         call compute_variant(study, number, record)
-        !$omp critical (text)
+        !$omp critical (keeping)
         if (.not. allocated(error)) call keeper%keep(record, error)
         if (allocated(error)) then
             !$omp atomic write
             is_broken = .true.
         end if
-        !$omp end critical (text)
+        !$omp end critical (keeping)
     end subroutine compute_and_keep
 
     !> Shares variants out among the ranks. Rank 0 computes as well, and between two variants of its

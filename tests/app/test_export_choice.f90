@@ -64,7 +64,7 @@ contains
             word%text = ''
         end do
         do i = 1, size(of)
-            shapes(i)%name = cut_name(of(i))
+            shapes(i)%name = trim(cut_name(of(i)))
             shapes(i)%number = i
         end do
         call choose_cuts(words, shapes, of%name, is_chosen, error)

@@ -15,20 +15,21 @@ program test_words
     type(finding_type) :: finding
 
     call audit_of(parabola//'ALONG,X,2|5.,.3|', found)
-    call tap%same(reading_name(found%item(1), 1)//'/'//reading_name(found%item(1), 10)//'/'// &
-        reading_name(found%item(1), 13), 'X 5./X 5. (2)/Y3', 'rows, second columns, fields')
+    call tap%same(trim(reading_name(found%item(1), 1))//'/'// &
+        trim(reading_name(found%item(1), 10))//'/'//trim(reading_name(found%item(1), 13)), &
+        'X 5./X 5. (2)/Y3', 'rows, second columns, fields')
     finding%verdict = verdict%suspect
     finding%likely = '4.5'
     finding%slip = slip%sign
     finding%sure = 0.9999_dp
     call tap%ok(is_doubtful(finding), 'a suspect is doubtful')
-    call tap%same(corrected(finding)//'/'//reason(finding)//'/'//percent(finding), &
+    call tap%same(trim(corrected(finding))//'/'//reason(finding)//'/'//percent(finding), &
         '4.5/the sign/99', 'what is right, why, and how sure: never all')
     finding%verdict = verdict%agrees
     call tap%same(reason(finding), '', 'what agrees needs no reason')
     finding%verdict = verdict%blank
     finding%computed_figure = '4.6'
-    call tap%same(corrected(finding), '4.6', 'a blank is filled in')
+    call tap%same(trim(corrected(finding)), '4.6', 'a blank is filled in')
     call audit_of(parabola, found)
     call tap%same(trim(card_image(found%item(1), found%item(1)%audit%piece(1))), &
         '0.      0.      0.      25.     6.25    50.     25.     1.      5.', &

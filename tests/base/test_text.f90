@@ -1,8 +1,10 @@
 !> Small deeds on text, by hand-worked examples.
 program test_text
+    use, intrinsic :: ieee_arithmetic, only: ieee_negative_inf, ieee_positive_inf, ieee_quiet_nan, &
+        ieee_value
     use base_kinds, only: dp, i64
-    use base_text, only: characters, columns, compact, counted, first_bytes, limited, &
-        printable, right, row_of, to_text, upper
+    use base_text, only: characters, columns, compact, compact_length, counted, first_bytes, &
+        limited, printable, right, row_of, to_text, upper, widest_compact
     use support_tap, only: tap_type
     implicit none (type, external)
 
@@ -81,6 +83,14 @@ contains
         call tap%same(compact(0.00005_dp), '5.E-05', 'a small number has one')
         call tap%same(compact(huge(1.0_dp)), '1.79769E+308', 'the largest number')
         call tap%same(compact(tiny(1.0_dp)), '2.22507E-308', 'a very small one')
+        call tap%same(compact(ieee_value(0.0_dp, ieee_quiet_nan))//' '// &
+            compact(ieee_value(0.0_dp, ieee_positive_inf))//' '// &
+            compact(ieee_value(0.0_dp, ieee_negative_inf)), 'NaN Inf -Inf', &
+            'what is no number is said as such')
+        call tap%same(compact(-9999999.5_dp), '-9999999.5', 'one far below zero')
+        call tap%ok(all(compact_length([0.0_dp, -0.001_dp, -tiny(1.0_dp), -1234567.890625_dp]) == &
+            [2_i64, 6_i64, 13_i64, 15_i64]), 'lengths are said beforehand')
+        call tap%ok(compact_length(-1234567.890625_dp) < widest_compact, 'none is longer than said')
     end subroutine check_compact
 
     !> Characters and bytes of UTF-8.
@@ -98,3 +108,5 @@ contains
     end subroutine check_characters
 
 end program test_text
+    use, intrinsic :: ieee_arithmetic, only: ieee_negative_inf, ieee_positive_inf, ieee_quiet_nan, &
+        ieee_value

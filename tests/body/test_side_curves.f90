@@ -31,7 +31,8 @@ program test_side_curves
     call list(3)
     call tap%ok(allocated(error), 'a station beyond the body has none')
     if (allocated(error)) call tap%ok(error%cause == cause%beyond_lines, 'which is an error')
-    call tap%same(side_words(world%asked%patch(1), world, 2), 'side 2 (line LEVEL)', 'its words')
+    call tap%same(trim(side_words(world%asked%patch(1), world, 2)), &
+        'side 2 (line LEVEL)', 'its words')
     world%asked%patch(1)%range%has_from = .false.
     world%asked%patch(1)%range%has_to = .false.
     call list(2)

@@ -18,23 +18,28 @@ program test_drawing_name
     integer :: i
 
     cut%plane = station_plane(20.0_dp)
-    call tap%same(cut_name(cut)//'|'//cut_title(cut), 'STA_20|STATION 20', 'a station')
+    call tap%same(trim(cut_name(cut))//'|'//trim(cut_title(cut)), 'STA_20|STATION 20', 'a station')
     cut%plane = buttock_plane(-4.5_dp)
-    call tap%same(cut_name(cut)//'|'//cut_title(cut), 'BL_-4.5|BUTT LINE -4.5', 'a butt line')
+    call tap%same(trim(cut_name(cut))//'|'//trim(cut_title(cut)), &
+        'BL_-4.5|BUTT LINE -4.5', 'a butt line')
     cut%plane = waterline_plane(-16.0_dp)
     cut%name = 'FLOOR'
-    call tap%same(cut_name(cut)//'|'//cut_title(cut), 'WL_-16_FLOOR|WATERLINE -16 FLOOR', &
+    call tap%same(trim(cut_name(cut))//'|'//trim(cut_title(cut)), &
+        'WL_-16_FLOOR|WATERLINE -16 FLOOR', &
         'a waterline with a name')
     cut%name = ' A/B'//char(7)//'c'
-    call tap%same(cut_name(cut), 'WL_-16_A_B_c', 'bytes that no file name has become _')
-    call tap%same(cut_title(cut), 'WATERLINE -16 A/B'//char(7)//'c', 'but in titles they stay')
+    call tap%same(trim(cut_name(cut)), 'WL_-16_A_B_c', 'bytes that no file name has become _')
+    call tap%same(trim(cut_title(cut)), &
+        'WATERLINE -16 A/B'//char(7)//'c', 'but in titles they stay')
     call oblique_plane([40.0_dp, -24.0_dp], [50.0_dp, 24.0_dp], cut%plane, error)
-    call tap%same(cut_name(cut), 'OBL_A_B_c', 'an oblique plane')
+    call tap%same(trim(cut_name(cut)), 'OBL_A_B_c', 'an oblique plane')
     cut%name = ''
-    call tap%same(cut_name(cut)//'|'//cut_title(cut), 'OBL|OBLIQUE THROUGH STA 40 BL 0 WL -24', &
+    call tap%same(trim(cut_name(cut))//'|'//trim(cut_title(cut)), &
+        'OBL|OBLIQUE THROUGH STA 40 BL 0 WL -24', &
         'an oblique plane without a name')
     call plane_through([1.0_dp, 2.5_dp, 0.1_dp], [1.0_dp, 1.0_dp, 1.0_dp], cut%plane, error)
-    call tap%same(cut_name(cut)//'|'//cut_title(cut), 'PLANE|PLANE THROUGH STA 1 BL 2.5 WL 0.1', &
+    call tap%same(trim(cut_name(cut))//'|'//trim(cut_title(cut)), &
+        'PLANE|PLANE THROUGH STA 1 BL 2.5 WL 0.1', &
         'any plane')
     call tap%same(safe_name(''), '_', 'no name is empty')
     call tap%same(safe_name('..a-b_C.9 '), '..a-b_C.9', 'letters, figures and - _ . stay')

@@ -21,7 +21,7 @@ BEGIN {
     untested["app_sweep"]; untested["app_sweep_result"]; untested["app_sweep_plot"]; untested["app_journal"]
     untested["app_plot_conics"]; untested["app_plot_body"]; untested["app_picture_folder"]
     # Faces for C, proved by tests/library.t from C.
-    untested["api_c_error"]; untested["api_c_deck"]; untested["api_c_words"]
+    untested["api_c_error"]; untested["api_c_deck"]; untested["api_c_list"]
     untested["api_c_cut"]; untested["api_c_points"]; untested["api_c_measure"]; untested["api_c_table"]
     # Modules that may have variables: a signal handler takes no arguments of ours.
     has_variables["app_signals"]; has_variables["app_progress"]

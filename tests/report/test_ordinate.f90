@@ -13,7 +13,7 @@ program test_ordinate
     form = new_form('INCHES', 'INCHES', 3)
     call tap%same(ordinate_text(form, -18.0_dp, 10), '   -18.000', 'inches to three decimals')
     call tap%same(ordinate_text(form, -1.0e-9_dp, 10), '     0.000', 'no zero has a minus')
-    call tap%same(largest_rounding(form), 'ROUNDED TO 3 DECIMALS', 'the rounding is said')
+    call tap%same(trim(largest_rounding(form)), 'ROUNDED TO 3 DECIMALS', 'the rounding is said')
     form = new_form('INCHES', 'MM', 2)
     call tap%same(ordinate_text(form, 1.0_dp, 8), '   25.40', 'an inch is 25.4 mm')
     form = new_form('MM', 'INCHES', 4)

@@ -10,8 +10,9 @@ program test_panel_words
 
     cut%sections = 2
     cut%patches = 3
-    call tap%same(kind_word(cut, 2)//' '//kind_word(cut, 3)//' '//kind_word(cut, 5)//' '// &
-        kind_word(cut, 6), 'SECTION PATCH PATCH DUCT', 'sections, then patches, then ducts')
+    call tap%same(trim(kind_word(cut, 2))//' '//trim(kind_word(cut, 3))//' '// &
+        trim(kind_word(cut, 5))//' '// &
+        trim(kind_word(cut, 6)), 'SECTION PATCH PATCH DUCT', 'sections, then patches, then ducts')
     call tap%same(words_on([3]), 'PATCHES', 'on patches')
     call tap%same(words_on([6, 7]), 'DUCTS', 'on ducts')
     call tap%same(words_on([5, 6]), 'PATCHES AND DUCTS', 'on both')
@@ -31,7 +32,7 @@ contains
             allocate (met%patched(i)%points(1))
             met%patched(i)%points(1)%section = panels(i)
         end do
-        words = panels_word(met)
+        words = trim(panels_word(met))
     end function words_on
 
 end program test_panel_words

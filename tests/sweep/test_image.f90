@@ -4,7 +4,7 @@ program test_image
     use base_kinds, only: dp
     use deck_job, only: job_type
     use support_tap, only: tap_type
-    use sweep_image, only: image_type, new_image, variant_text
+    use sweep_image, only: image_type, new_image, write_variant
     use sweep_study, only: read_text
     implicit none (type, external)
 
@@ -52,9 +52,11 @@ contains
         type(job_type) :: job
         type(fault_list_type) :: faults
         type(image_type) :: image
+        character(:), allocatable :: text
         call read_text(deck, job, faults)
         image = new_image(deck, job%sweep%target)
-        call tap%same(variant_text(image, [1.25_dp]), expected, name)
+        call write_variant(image, [1.25_dp], text)
+        call tap%same(text, expected, name)
     end subroutine same
 
 end program test_image
