@@ -294,10 +294,7 @@ contains
     pure function joined(letter) result(text)
         character(kind=c_char), intent(in) :: letter(:) !! any
         character(size(letter)) :: text
-        integer :: i
-        do i = 1, len(text)
-            text(i:i) = letter(i)
-        end do
+        text = transfer(letter, text)
     end function joined
 
 end module base_posix

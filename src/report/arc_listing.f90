@@ -184,8 +184,8 @@ contains
         worst = maxloc(table%arcs%deviation, 1)
         associate (arc => table%arcs(worst))
             call page%line(out, 'LARGEST DEVIATION '//trim(deviation_text(arc, form))// &
-                ', OF ARC '//to_text(worst)//' AT U '//ordinate_words(form, arc%worst(1))//'  V '// &
-                ordinate_words(form, arc%worst(2)))
+                ', OF ARC '//to_text(worst)//' AT U '//ordinate_words(form, arc%worst(1))// &
+                '  V '//ordinate_words(form, arc%worst(2)))
         end associate
     end subroutine print_largest
 
