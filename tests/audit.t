@@ -74,6 +74,15 @@ sed -n '/^S1 AND S3/,/^CARD/p' open.lst | tr -s '\n ' ' ' | \
 ok $? 'with S1 to three decimals both pairs of the lower shoulder are named' \
     "$(sed -n '/TOGETHER/,/CARD/p' open.lst)"
 
+# --- threads --------------------------------------------------------------------------------------
+for count in 1 2 7; do
+    for format in listing csv deck; do
+        OMP_NUM_THREADS=$count "$loft" audit --format $format "$cards/audit-sae700202.crd"
+    done > all.$count
+done
+cmp -s all.1 all.2 && cmp -s all.1 all.7
+ok $? 'one thread, two and seven find the same, byte for byte'
+
 # --- forms ----------------------------------------------------------------------------------------
 "$loft" audit --format csv book.csv > twice.csv && cmp -s book.csv twice.csv
 ok $? 'its CSV can be audited again and gives the same'

@@ -93,14 +93,16 @@ contains
         held_by_lines = item%table%view == audit_view%station .and. any(item%table%control /= '')
     end function held_by_lines
 
-    !> Audits some of the tables.
+    !> Audits some of the tables, side by side: none looks at another.
     subroutine audit_some(item, chosen)
         type(item_type), intent(inout) :: item(:)   !! the tables
         logical, intent(in) :: chosen(:)            !! which
         integer :: i
+        !$omp parallel do schedule(dynamic, 1) default(none) shared(item, chosen)
         do i = 1, size(item)
             if (chosen(i)) call audit_one(item(i))
         end do
+        !$omp end parallel do
     end subroutine audit_some
 
     !> Audits a table. Where readings contradict numbers known exactly, the line is found again
@@ -155,24 +157,23 @@ contains
         type(item_type), intent(inout) :: item(:)   !! the tables
         integer, intent(in) :: way                  !! one of `printing%...`
         logical, intent(in) :: chosen(:)            !! which
-        type(audit_type) :: before
         logical :: again(size(item))
-        integer :: i
+        integer :: met_by(4, size(item)), i
 
         do i = 1, size(item)
             associate (it => item(i))
+                met_by(:, i) = it%audit%met_by
                 again(i) = chosen(i) .and. it%is_audited .and. &
                     it%line%printing == printing%unknown .and. it%audit%printing /= way
                 if (again(i)) again(i) = it%audit%met_by(way) == maxval(it%audit%met_by)
                 if (again(i)) it%line%printing = way
             end associate
         end do
+        call audit_some(item, again)
         do i = 1, size(item)
             if (.not. again(i)) cycle
-            before = item(i)%audit
-            call audit_some(item(i:i), [.true.])
             item(i)%line%printing = printing%unknown
-            item(i)%audit%met_by = before%met_by
+            item(i)%audit%met_by = met_by(:, i)
         end do
     end subroutine audit_alike
 
