@@ -91,8 +91,7 @@ contains
         text = field_text(card, from)
         call look_up(field, text, found, number)
         if (found == 0) then
-            call blame(card, from, 'the card before has no field '//text// &
-                fields_to_vary(field, text), faults)
+            call blame_field(card, from, pack(field%name, takes_numbers(field)), text, faults)
         else if (state%before_kind == body_card%object .and. field(found)%name == 'VALUE') then
             call blame(card, from, 'the value to come near to does not vary: all variants are '// &
                 'compared by it', faults)
@@ -141,20 +140,22 @@ contains
         takes_numbers = field%form == form%number .or. field%form == form%either
     end function takes_numbers
 
-    !> The end of a sentence that says which fields could be meant: the one with nearly that name,
-    !> or all that take numbers.
-    pure function fields_to_vary(field, text) result(words)
-        type(body_field_type), intent(in) :: field(:)   !! of the card
+    !> Says that there is no such field, and which could be meant: the one with nearly that name, or
+    !> all that take numbers.
+    pure subroutine blame_field(card, from, names, text, faults)
+        type(card_type), intent(in) :: card             !! the VARY card
+        integer, intent(in) :: from                     !! its field that names the other
+        character(*), intent(in) :: names(:)            !! fields that take numbers
         character(*), intent(in) :: text                !! what was taken for a field
+        type(fault_list_type), intent(inout) :: faults  !! gets the fault
         character(:), allocatable :: words
 
-        words = ''
-        if (.not. any(takes_numbers(field))) return
-        associate (names => pack(field%name, takes_numbers(field)))
-            words = '; a number is in '//in_words(names)
-            if (.not. looks_like_number(text)) words = words//suggestion(text, names)
-        end associate
-    end function fields_to_vary
+        words = 'the card before has no field '//text
+        if (size(names) > 0) words = words//'; a number is in '//in_words(names)
+        if (size(names) > 0 .and. .not. looks_like_number(text)) &
+            words = words//suggestion(text, names)
+        call blame(card, from, words, faults)
+    end subroutine blame_field
 
     !> A field is varied by one VARY card only.
     pure subroutine check_field_once(state, item, from, faults)

@@ -94,6 +94,7 @@ contains
     pure subroutine check_grid(plan, faults)
         type(plan_type), intent(inout) :: plan          !! gets its count
         type(fault_list_type), intent(inout) :: faults  !! what is wrong is added
+        character(:), allocatable :: words
         real(dp) :: number
         integer :: first
 
@@ -105,18 +106,19 @@ contains
         do first = 1, size(plan%values) - 1
             if (product(real(plan%values(:first), dp)) > real(most_variants, dp)) exit
         end do
+        call say_grid(plan%values, words)
         associate (variable => plan%variable(first))
-            call blame(variable%card, merge(1, 6, variable%is_list), 'the grid has '// &
-                grid_words(plan%values)//' variants, more than '//to_text(most_variants)// &
+            call blame(variable%card, merge(1, 6, variable%is_list), 'the grid has '//words// &
+                ' variants, more than '//to_text(most_variants)// &
                 '; smaller COUNTs, or SWEEP LATIN with as many variants as there is time for', &
                 faults)
         end associate
     end subroutine check_grid
 
-    !> How many variants a grid has, in words: `10 x 20 = 200`.
-    pure function grid_words(values) result(words)
-        integer, intent(in) :: values(:) !! of each variable
-        character(:), allocatable :: words
+    !> Says in words how many variants a grid has: `10 x 20 = 200`.
+    pure subroutine say_grid(values, words)
+        integer, intent(in) :: values(:)                !! of each variable
+        character(:), allocatable, intent(out) :: words !! the sentence
         real(dp) :: number
         integer :: i
 
@@ -127,7 +129,7 @@ contains
         number = product(real(values, dp))
         if (size(values) > 1 .and. number < 1.0e15_dp) words = words//' = '// &
             to_text(nint(number, i64))
-    end function grid_words
+    end subroutine say_grid
 
     !> Spreads the variants of a Latin hypercube.
     pure subroutine spread_latin(plan, seed)
