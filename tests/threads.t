@@ -24,8 +24,9 @@ ok $? "the library has its objects: $(echo "$library" | wc -l)"
 kept=$(variables $library)
 [ -z "$kept" ]
 ok $? 'no object of the library keeps anything between calls' "$kept"
-kept=$(variables "$objects/src/app/run_card.o" $(find "$objects/src" -name '*.o' ! -path '*/app/*' \
-    ! -path '*/export/*' ! -name record.o ! -name summary.o ! -name work.o))
+beside=$(find src -name '*.f90' ! -path 'src/app/*' ! -path 'src/export/*' ! -path 'src/sweep/record.f90' \
+    ! -path 'src/sweep/summary.f90' ! -path 'src/sweep/work.f90' | sed "s|\(.*\)\.f90|$objects/\1.o|")
+kept=$(variables "$objects/src/app/run_card.o" $beside)
 [ -z "$kept" ]
 ok $? 'nor does what the program runs side by side' "$kept"
 locked=$(nm -A -u $library | grep 'GOMP_critical')

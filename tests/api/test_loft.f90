@@ -2,8 +2,9 @@
 program test_loft
     use api_loft, only: at_buttock, at_plane, at_station, at_waterline, asked_type, &
         body_measure_type, cause, conic_table, cut_deck, cut_kind, cut_type, deck_type, &
-        error_type, has_errors, listed_cut, load_deck, loft_version, measure_deck, &
-        measure_station, parse_deck, row_type, section_measure_type
+        duct_measure_type, duct_section_type, error_type, has_errors, listed_cut, load_deck, &
+        loft_version, measure_deck, measure_duct, measure_duct_station, measure_station, &
+        parse_deck, row_type, section_measure_type
     use base_constants, only: version
     use base_kinds, only: dp
     use support_book, only: text_file
@@ -47,6 +48,7 @@ program test_loft
     call tap%ok(size(rows) == 0 .and. .not. allocated(error), 'and none by Y')
     call conic_table(deck, 12, 1, rows, error)
     call tap%ok(allocated(error), 'there is no twelfth card')
+    call check_ducts()
     call check_threads()
     call tap%finish()
 
@@ -74,17 +76,54 @@ contains
         call tap%ok(allocated(error), 'nor a volume')
     end subroutine check_measures
 
+    !> A duct has at its outlines the areas of their cards, and a volume near Simpson's of its area
+    !> curve.
+    subroutine check_ducts()
+        type(deck_type) :: inlet
+        type(duct_measure_type) :: whole
+        type(duct_section_type) :: section
+        integer, parameter :: parts = 200
+        real(dp) :: simpson
+        integer :: i
+
+        call load_deck('cards/duct.crd', inlet, error)
+        call measure_duct(inlet, 1, 1, whole, error)
+        call tap%near(maxval(abs(whole%section%area - [1.18_dp, 1.1_dp, 1.22_dp, 1.36_dp])), &
+            0.0_dp, 1.0e-9_dp, 'the outlines of a duct have the areas of their cards')
+        simpson = 0.0_dp
+        do i = 0, parts
+            call measure_duct_station(inlet, 1, 1, 6.5_dp*real(i, dp)/real(parts, dp), section, &
+                error)
+            simpson = simpson + 6.5_dp/real(3*parts, dp)*section%area* &
+                real(merge(1, merge(2, 4, mod(i, 2) == 0), i == 0 .or. i == parts), dp)
+        end do
+        call tap%near(whole%volume, simpson, 1.0e-6_dp, 'its volume is that under its area curve')
+        call measure_duct_station(inlet, 1, 1, -0.1_dp, section, error)
+        call tap%ok(allocated(error), 'before its lip it has no section')
+        if (allocated(error)) call tap%ok(error%cause == cause%beyond_lines, 'which is its cause')
+        call measure_duct(inlet, 1, 0, whole, error)
+        call tap%ok(allocated(error), 'a duct that is not there has no volume')
+    end subroutine check_ducts
+
     !> Threads that share a deck, or load their own, and fail between, get what one thread gets.
     subroutine check_threads()
-        type(deck_type) :: nose, own
+        type(deck_type) :: nose, book, own
         type(cut_type) :: made
+        type(section_measure_type) :: section, middle
         type(error_type), allocatable :: trouble
-        integer :: wrong, i
+        integer :: lengths(11), wrong, i
 
         call load_deck('cards/nose.crd', nose, error)
+        call load_deck('cards/sae700202.crd', book, error)
         call cut_deck(nose, at_station(10.0_dp), cut, error)
+        call measure_station(nose, 1, 10.0_dp, middle, error)
+        do i = 1, size(lengths)
+            call conic_table(book, i, 1, rows, error)
+            lengths(i) = size(rows)
+        end do
         wrong = 0
-        !$omp parallel do num_threads(8) private(own, made, trouble) reduction(+: wrong)
+        !$omp parallel do num_threads(8) reduction(+: wrong) &
+        !$omp private(own, made, trouble, section, rows)
         do i = 1, 400
             call cut_deck(nose, at_station(10.0_dp), made, trouble)
             if (any(abs(made%points%at(3) - cut%points%at(3)) > 0.0_dp)) wrong = wrong + 1
@@ -92,6 +131,10 @@ contains
             if (index(trouble%message, 'beyond line') == 0) wrong = wrong + 1
             call parse_deck('LINE    X       SIDE'//new_line('a')//'0.,0.,1.,A', own)
             if (.not. has_errors(own)) wrong = wrong + 1
+            call measure_station(nose, 1, 10.0_dp, section, trouble)
+            if (abs(section%girth - middle%girth) > 0.0_dp) wrong = wrong + 1
+            call conic_table(book, 1 + mod(i, 11), 1, rows, trouble)
+            if (allocated(trouble) .or. size(rows) /= lengths(1 + mod(i, 11))) wrong = wrong + 1
         end do
         !$omp end parallel do
         call tap%ok(wrong == 0, 'eight threads get what one gets')

@@ -40,13 +40,15 @@ static void null_handles(void)
     loft_row row;
     loft_measure measure;
     loft_section section;
+    loft_duct duct;
+    loft_duct_section round;
     char room[8] = "filled";
     double origin[3] = {0, 0, 0};
 
     loft_deck_free(NULL); loft_cut_free(NULL); loft_table_free(NULL); loft_error_free(NULL);
     loft_deck_free(&deck); loft_cut_free(&cut); loft_table_free(&table); loft_error_free(&error);
     ok(loft_deck_kind(NULL) == LOFT_NO_DECK && loft_deck_body_count(NULL) == 0
-        && loft_deck_section_count(NULL, 1) == 0 && loft_deck_cut_count(NULL) == 0
+        && loft_deck_section_count(NULL, 1) == 0 && loft_deck_duct_count(NULL, 1) == 0 && loft_deck_cut_count(NULL) == 0
         && loft_deck_card_count(NULL) == 0 && loft_deck_fault_count(NULL) == 0
         && loft_deck_error_count(NULL) == 0 && loft_cut_point_count(NULL) == 0
         && loft_cut_outline_count(NULL) == 0 && loft_cut_note_count(NULL) == 0
@@ -55,7 +57,8 @@ static void null_handles(void)
         "a NULL handle has nothing");
     ok(loft_deck_title(NULL, room, sizeof room) == 0 && room[0] == '\0', "and an empty title");
     ok(loft_deck_units(NULL, NULL, 0) == 0 && loft_deck_body_name(NULL, 1, NULL, 0) == 0
-        && loft_deck_section_name(NULL, 1, 1, NULL, 0) == 0 && loft_deck_cut_name(NULL, 1, NULL, 0) == 0
+        && loft_deck_section_name(NULL, 1, 1, NULL, 0) == 0 && loft_deck_duct_name(NULL, 1, 1, NULL, 0) == 0
+        && loft_deck_cut_name(NULL, 1, NULL, 0) == 0
         && loft_deck_card_label(NULL, 1, NULL, 0) == 0 && loft_deck_fault_message(NULL, 1, NULL, 0) == 0
         && loft_deck_fault_card(NULL, 1, NULL, 0) == 0 && loft_cut_name(NULL, NULL, 0) == 0
         && loft_cut_section_name(NULL, 1, NULL, 0) == 0 && loft_cut_note(NULL, 1, NULL, 0) == 0
@@ -76,6 +79,10 @@ static void null_handles(void)
     ok(!loft_deck_measure(NULL, 1, &measure, &error) && failed_for(LOFT_BAD_ARGUMENT, "NULL", &error)
         && !loft_deck_measure_station(NULL, 1, 0, &section, &error)
         && failed_for(LOFT_BAD_ARGUMENT, "NULL", &error)
+        && !loft_deck_measure_duct(NULL, 1, 1, &duct, &error)
+        && failed_for(LOFT_BAD_ARGUMENT, "deck is NULL", &error)
+        && !loft_deck_measure_duct_station(NULL, 1, 1, 0, &round, &error)
+        && failed_for(LOFT_BAD_ARGUMENT, "deck is NULL", &error)
         && !loft_deck_table(NULL, 1, LOFT_X, &error) && failed_for(LOFT_BAD_ARGUMENT, "NULL", &error),
         "and so are its measures and tables");
     ok(!loft_deck_load("/no/such/deck", NULL), "nobody need ask why");
@@ -259,6 +266,39 @@ static void bad_cuts(const char *root)
     loft_deck_free(&deck);
 }
 
+static void bad_ducts(const char *root)
+{
+    loft_error *error = NULL;
+    loft_deck *deck;
+    loft_duct duct;
+    loft_duct_section section;
+    char path[600], name[20];
+
+    snprintf(path, sizeof path, "%s/cards/duct.crd", root);
+    deck = loft_deck_load(path, &error);
+    ok(deck && loft_deck_duct_count(deck, 1) == 1 && loft_deck_duct_name(deck, 1, 1, name, sizeof name) == 6
+        && !strcmp(name, "INTAKE"), "a duct has a name");
+    ok(loft_deck_duct_count(deck, 2) == 0 && loft_deck_duct_count(deck, 0) == 0
+        && loft_deck_duct_name(deck, 1, 2, name, sizeof name) == 0, "a body that is not there has no duct");
+    ok(loft_deck_measure_duct(deck, 1, 1, &duct, &error) && duct.from == 0. && duct.to == 6.5
+        && fabs(duct.volume - 7.7) < .3, "a duct has a length and a volume");
+    ok(loft_deck_measure_duct_station(deck, 1, 1, 0., &section, &error) && section.sta == 0.
+        && fabs(section.area - 1.18) < 1e-9 && section.has_perimeter
+        && section.perimeter > 2 * sqrt(3.14159265358979 * section.area), "its lip has the area of its card");
+    ok(!loft_deck_measure_duct(deck, 1, 2, &duct, &error)
+        && failed_for(LOFT_BAD_ARGUMENT, "no duct 2; it has 1", &error)
+        && !loft_deck_measure_duct(deck, 2, 1, &duct, &error)
+        && failed_for(LOFT_BAD_ARGUMENT, "no body 2", &error)
+        && !loft_deck_measure_duct(deck, 1, 1, NULL, &error)
+        && failed_for(LOFT_BAD_ARGUMENT, "measure is NULL", &error), "what is not there is not measured");
+    ok(!loft_deck_measure_duct_station(deck, 1, 1, 6.6, &section, &error)
+        && failed_for(LOFT_BEYOND_LINES, "station 0. to 6.5, not to 6.6", &error)
+        && !loft_deck_measure_duct_station(deck, 1, 1, NAN, &section, &error)
+        && failed_for(LOFT_BAD_ARGUMENT, "no number", &error), "nor is a station beyond its ends, or none");
+    ok(duct.to == 6.5 && section.sta == 0., "and what it was to be measured into is as it was");
+    loft_deck_free(&deck);
+}
+
 int main(int argc, char **argv)
 {
     char version[40];
@@ -270,6 +310,7 @@ int main(int argc, char **argv)
     little_room();
     bad_decks(argv[1]);
     bad_cuts(argv[1]);
+    bad_ducts(argv[1]);
     printf("1..%d\n", checks);
     return failures > 0;
 }

@@ -31,7 +31,30 @@ static uint64_t add_cut(uint64_t sum, loft_cut *cut)
     return sum;
 }
 
-/* All that a deck gives: faults, cuts, another cut, an error, tables. */
+/* What the bodies of a deck measure, and their ducts. */
+static uint64_t add_measures(uint64_t sum, const loft_deck *deck)
+{
+    int body, duct;
+    for (body = 1; body <= loft_deck_body_count(deck); body++) {
+        loft_measure whole;
+        memset(&whole, 0, sizeof whole);
+        if (loft_deck_measure(deck, body, &whole, NULL)) {
+            sum = add(sum, &whole.volume, sizeof whole.volume);
+            sum = add(sum, whole.why, strlen(whole.why));
+        }
+        for (duct = 1; duct <= loft_deck_duct_count(deck, body); duct++) {
+            loft_duct measure;
+            loft_duct_section section;
+            if (!loft_deck_measure_duct(deck, body, duct, &measure, NULL)) continue;
+            sum = add(sum, &measure, sizeof measure);
+            loft_deck_measure_duct_station(deck, body, duct, (measure.from + measure.to) / 2, &section, NULL);
+            sum = add(sum, &section, sizeof section);
+        }
+    }
+    return sum;
+}
+
+/* All that a deck gives: faults, cuts, another cut, an error, measures, tables. */
 static uint64_t sum_of(const loft_deck *deck)
 {
     uint64_t sum = UINT64_C(14695981039346656037);
@@ -53,6 +76,7 @@ static uint64_t sum_of(const loft_deck *deck)
         loft_error_free(&error);
         loft_cut_free(&none);
     }
+    sum = add_measures(sum, deck);
     for (i = 1; i <= loft_deck_card_count(deck); i++) {
         loft_table *table = loft_deck_table(deck, i, LOFT_X, NULL);
         int k;
