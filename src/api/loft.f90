@@ -207,8 +207,8 @@ contains
         type(error_type), allocatable, intent(out) :: error !! see above
 
         call find_duct(deck, body, duct, error)
-        if (.not. is_finite(sta)) &
-            call fail(error, cause%usage, 'the station is infinite or no number')
+        if (.not. is_coordinate(sta)) call fail(error, cause%usage, &
+            'the station is infinite, no number, or beyond those of a deck')
         if (allocated(error)) return
         associate (outlines => deck%bodies(body)%ducts(duct)%outline)
             if (sta < outlines(1)%sta .or. sta > outlines(size(outlines))%sta) then

@@ -12,7 +12,7 @@ module audit_cross
     use audit_reading, only: meaning, sort
     use audit_value, only: row_at, value_at, value_type
     use base_exact, only: is_equal
-    use base_kinds, only: dp
+    use base_kinds, only: dp, i64
     use deck_audit, only: audit_view, known
     implicit none (type, external)
     private
@@ -266,8 +266,9 @@ contains
     !> What a table is called: `MHB SIDE`, `LOWER STATION 10.`.
     pure function table_title(item) result(title)
         type(item_type), intent(in) :: item !! any
-        character(len_trim(item%table%name) + len_trim(view_names(item%table%view)) + &
-            len_trim(item%table%at_text) + merge(1, 2, item%table%at_text == '')) :: title
+        character(len_trim(item%table%name, i64) + &
+            len_trim(view_names(item%table%view), i64) + len_trim(item%table%at_text, i64) + &
+            merge(1_i64, 2_i64, item%table%at_text == '')) :: title
         title = trim(item%table%name)//' '//trim(view_names(item%table%view))//' '// &
             item%table%at_text
     end function table_title

@@ -10,12 +10,12 @@ module audit_csv
     use audit_item, only: item_type
     use audit_words, only: corrected, is_doubtful, reason
     use base_digits, only: shortest
-    use base_kinds, only: dp
+    use base_kinds, only: dp, i64
     use base_output, only: output_type
     use base_text, only: to_text
     use deck_audit, only: audit_entry_type, entry_kind, entry_length, known
     use deck_audit_layout, only: known_words, printing_words, view_words
-    use deck_body_word, only: words_in
+    use deck_body_word, only: word_length, words_in
     implicit none (type, external)
     private
 
@@ -64,7 +64,7 @@ contains
     !> A name, or a dash where there is none.
     pure function name_or_dash(name) result(text)
         character(*), intent(in) :: name !! may be blank
-        character(max(1, len_trim(name))) :: text
+        character(max(1_i64, len_trim(name, i64))) :: text
         text = name
         if (text == '') text = '-'
     end function name_or_dash
@@ -93,8 +93,8 @@ contains
     pure function front(item) result(text)
         type(item_type), intent(in) :: item !! the table
         integer, parameter :: views = 5
-        character(8) :: word(views)
-        character(len(item%table%name) + len(word) + entry_length + 3) :: text
+        character(word_length) :: word(views)
+        character(2*word_length + entry_length + 3) :: text
         word = words_in(view_words)
         text = trim(item%table%name)//','//trim(word(item%table%view))//','// &
             trim(item%table%at_text)//','

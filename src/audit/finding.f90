@@ -1,7 +1,7 @@
 !> What an audit finds of one figure.
 module audit_finding
     use audit_figure, only: figure_length
-    use base_kinds, only: dp
+    use base_kinds, only: dp, i64
     implicit none (type, external)
     private
 
@@ -43,7 +43,7 @@ contains
         integer, intent(in) :: which !! one of `verdict%...`
         character(10), parameter :: names(0:5) = [character(10) :: 'not judged', 'agrees', &
             'rounding', 'suspect', 'unreadable', 'blank']
-        character(len_trim(names(which))) :: name
+        character(len_trim(names(which), i64)) :: name
         name = names(which)
     end function verdict_name
 

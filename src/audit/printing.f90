@@ -79,7 +79,7 @@ contains
         integer, intent(in) :: way !! one of `printing%...`
         character(24), parameter :: names(0:4) = [character(24) :: 'unknown', 'rounded', &
             'truncated', '.0005 added and rounded', 'rounded, halves to even']
-        character(len_trim(names(way))) :: name
+        character(len_trim(names(way), i64)) :: name
         name = names(way)
     end function printing_name
 

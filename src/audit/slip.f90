@@ -243,7 +243,7 @@ contains
             'a slip of an inch', 'a slip of an eighth', 'two digits taken for others', &
             'a wrong digit and one more or less', 'a slip of a foot', &
             'characters that can''t be read']
-        character(len_trim(names(kind))) :: name
+        character(len_trim(names(kind), i64)) :: name
         name = names(kind)
     end function slip_name
 

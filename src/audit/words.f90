@@ -8,7 +8,7 @@ module audit_words
     use audit_slip, only: slip_name
     use audit_steps, only: find_step
     use base_digits, only: shortest
-    use base_kinds, only: dp
+    use base_kinds, only: dp, i64
     use base_text, only: to_text
     use deck_audit, only: entry_kind, entry_length
     use deck_audit_layout, only: known_words
@@ -66,7 +66,7 @@ contains
     !> How a figure that is not as it should be came about, in words.
     pure function reason(finding) result(words)
         type(finding_type), intent(in) :: finding !! of a figure
-        character(merge(len(slip_name(finding%slip)), 0, is_doubtful(finding))) :: words
+        character(merge(len(slip_name(finding%slip), i64), 0_i64, is_doubtful(finding))) :: words
         words = slip_name(finding%slip)
     end function reason
 

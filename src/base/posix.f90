@@ -275,6 +275,14 @@ contains
         are_one_file = before_null(path) == before_null(other_path)
     end function are_one_file
 
+    !> Letters of a text of C; what is behind its null is not looked at.
+    pure integer(c_size_t) function letters_before_null(letter) result(number)
+        character(kind=c_char), intent(in) :: letter(:) !! the text, a null behind it
+        do number = 0_c_size_t, size(letter, kind=c_size_t) - 1_c_size_t
+            if (letter(number + 1_c_size_t) == c_null_char) return
+        end do
+    end function letters_before_null
+
     !> A text of C as Fortran has it.
     pure function before_null(letter) result(text)
         character(kind=c_char), intent(in) :: letter(:) !! the text, a null behind it
@@ -282,18 +290,10 @@ contains
         text = joined(letter(:len(text)))
     end function before_null
 
-    !> Letters of a text of C; what is behind its null is not looked at.
-    pure integer function letters_before_null(letter) result(number)
-        character(kind=c_char), intent(in) :: letter(:) !! the text, a null behind it
-        do number = 0, size(letter) - 1
-            if (letter(number + 1) == c_null_char) return
-        end do
-    end function letters_before_null
-
     !> Letters as one text.
     pure function joined(letter) result(text)
         character(kind=c_char), intent(in) :: letter(:) !! any
-        character(size(letter)) :: text
+        character(size(letter, kind=c_size_t)) :: text
         text = transfer(letter, text)
     end function joined
 

@@ -130,20 +130,6 @@ contains
         if (value < 0) text(1:1) = '-'
     end function long_text
 
-    !> A number for a sentence: up to six decimals, or up to six figures and a power of ten, no
-    !> zeros at the end (`12.5`, `-0.001`, `7.`, `3.E+20`).
-    pure function compact(value) result(text)
-        real(dp), intent(in) :: value !! any
-        character(compact_length(value)) :: text
-        text = compact_field(value)
-    end function compact
-
-    !> Characters of `compact`.
-    elemental integer(i64) function compact_length(value) result(length)
-        real(dp), intent(in) :: value !! any
-        length = len_trim(compact_field(value), i64)
-    end function compact_length
-
     !> The text of `compact` with blanks behind it. What is no finite number is said as Fortran says
     !> it.
     pure function compact_field(value) result(text)
@@ -169,6 +155,20 @@ contains
         if (text(1:1) == '.') text = '0'//text(:widest_compact - 1)
         if (index(text, '-.') == 1) text = '-0'//text(2:widest_compact - 1)
     end function compact_field
+
+    !> Characters of `compact`.
+    elemental integer(i64) function compact_length(value) result(length)
+        real(dp), intent(in) :: value !! any
+        length = len_trim(compact_field(value), i64)
+    end function compact_length
+
+    !> A number for a sentence: up to six decimals, or up to six figures and a power of ten, no
+    !> zeros at the end (`12.5`, `-0.001`, `7.`, `3.E+20`).
+    pure function compact(value) result(text)
+        real(dp), intent(in) :: value !! any
+        character(compact_length(value)) :: text
+        text = compact_field(value)
+    end function compact
 
     !> A count with its noun: `1 card`, `2 cards`.
     pure function counted(number, noun) result(text)

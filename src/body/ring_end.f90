@@ -3,7 +3,7 @@
 module body_ring_end
     use base_constants, only: degrees
     use base_error, only: error_type
-    use base_kinds, only: dp
+    use base_kinds, only: dp, i64
     use base_tolerances, only: outline_gap, slope_resolution
     use body_body, only: body_type
     use body_section, only: section_arc, trace_at, trace_type
@@ -121,16 +121,23 @@ contains
     pure function name_of_end(body, end) result(name)
         type(body_type), intent(in) :: body !! the body
         integer, intent(in) :: end          !! place in the list
-        character(len_trim(body%sections(section_of(end))%name) + &
-            merge(len(port_mark), 0, body%sections(section_of(end))%is_port)) :: name
+        character(len_trim(body%sections(section_of(end))%name, i64) + &
+            merge(len(port_mark, i64), 0_i64, body%sections(section_of(end))%is_port)) :: name
         name = trim(body%sections(section_of(end))%name)//port_mark
     end function name_of_end
+
+    !> The line on which an end is: the first or the third of its section.
+    pure integer function line_number(body, end) result(number)
+        type(body_type), intent(in) :: body !! the body
+        integer, intent(in) :: end          !! place in the list
+        number = body%sections(section_of(end))%line(merge(1, 3, mod(end, 2) == 1))
+    end function line_number
 
     !> The name of the line on which an end is.
     pure function line_of_end(body, end) result(name)
         type(body_type), intent(in) :: body !! the body
         integer, intent(in) :: end          !! place in the list
-        character(len_trim(body%lines(line_number(body, end))%name)) :: name
+        character(len_trim(body%lines(line_number(body, end))%name, i64)) :: name
         name = body%lines(line_number(body, end))%name
     end function line_of_end
 
@@ -140,12 +147,5 @@ contains
         integer, intent(in) :: end          !! place in the list
         is_on_chine = body%lines(line_number(body, end))%is_chine
     end function is_on_chine
-
-    !> The line on which an end is: the first or the third of its section.
-    pure integer function line_number(body, end) result(number)
-        type(body_type), intent(in) :: body !! the body
-        integer, intent(in) :: end          !! place in the list
-        number = body%sections(section_of(end))%line(merge(1, 3, mod(end, 2) == 1))
-    end function line_number
 
 end module body_ring_end

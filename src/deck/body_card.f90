@@ -123,14 +123,6 @@ contains
         end do
     end function field_count
 
-    !> The text of a field in capitals, without blanks around it; nothing behind the card's end.
-    pure function field_text(card, number) result(text)
-        type(card_type), intent(in) :: card !! the card
-        integer, intent(in) :: number       !! which field, from 1
-        character(len_trim(field_columns(card, number))) :: text
-        text = upper(field_columns(card, number))
-    end function field_text
-
     !> The columns of a field without the blanks before its text, blanks behind it.
     pure function field_columns(card, number) result(text)
         type(card_type), intent(in) :: card !! the card
@@ -143,6 +135,14 @@ contains
             text = adjustl(columns(card%sheet(field%sheet)%image, field%first, field%last))
         end associate
     end function field_columns
+
+    !> The text of a field in capitals, without blanks around it; nothing behind the card's end.
+    pure function field_text(card, number) result(text)
+        type(card_type), intent(in) :: card !! the card
+        integer, intent(in) :: number       !! which field, from 1
+        character(len_trim(field_columns(card, number), i64)) :: text
+        text = upper(field_columns(card, number))
+    end function field_text
 
     !> Where a field is or would be, for the row of carets: at least one column.
     pure type(field_type) function place_of(card, number) result(place)

@@ -1,5 +1,6 @@
 !> Words of a body deck: lists of them, the one that was likely meant, names.
 module deck_body_word
+    use base_kinds, only: i64
     use base_text, only: to_text
     implicit none (type, external)
     private
@@ -54,7 +55,7 @@ contains
     pure function nearest_word(text, word) result(nearest)
         character(*), intent(in) :: text    !! what was read
         character(*), intent(in) :: word(:) !! what may be read
-        character(len(word)) :: nearest
+        character(len(word, i64)) :: nearest
         integer :: i, fewest, number
 
         nearest = ''
@@ -72,8 +73,8 @@ contains
     pure function suggestion(text, word) result(words)
         character(*), intent(in) :: text    !! what was read
         character(*), intent(in) :: word(:) !! what may be read
-        character(len_trim(nearest_word(text, word)) + &
-            merge(0, len('; did you mean ?'), nearest_word(text, word) == '')) :: words
+        character(len_trim(nearest_word(text, word), i64) + &
+            merge(0_i64, len('; did you mean ?', i64), nearest_word(text, word) == '')) :: words
         words = '; did you mean '//trim(nearest_word(text, word))//'?'
     end function suggestion
 
@@ -110,7 +111,8 @@ contains
     !> A list of words for a sentence: `SIDE, PLAN or ANGLE`.
     pure function in_words(word) result(list)
         character(*), intent(in) :: word(:) !! the words
-        character(sum(len_trim(word)) + merge(2*size(word), 0, size(word) > 1)) :: list
+        character(sum(len_trim(word, i64)) + merge(2_i64*size(word, kind=i64), 0_i64, &
+            size(word) > 1)) :: list
         integer :: i
 
         list = ''

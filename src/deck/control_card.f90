@@ -5,6 +5,7 @@
 !>     UNITS   INCHES
 module deck_control_card
     use base_fault, only: fault_list_type, new_fault, severity
+    use base_kinds, only: i64
     use base_text, only: columns, first_bytes, to_text, upper
     use deck_layout, only: card_columns, title_fields, units_fields
     use deck_source, only: line_type
@@ -34,19 +35,19 @@ contains
         begins_with_word = verify(upper(field(1:2)), letters) == 0
     end function begins_with_word
 
-    !> The word a card begins with, in capitals: what stands before the first blank or comma.
-    pure function card_word(line) result(word)
-        type(line_type), intent(in) :: line !! a line of the deck that begins with a word
-        character(scan(word_columns(line)//' ', ' ,'//achar(9)) - 1) :: word
-        word = word_columns(line)
-    end function card_word
-
     !> The columns of a card from the word it begins with, in capitals.
     pure function word_columns(line) result(text)
         type(line_type), intent(in) :: line !! a line of the deck that begins with a word
         character(card_columns) :: text
         text = upper(adjustl(columns(line%text, 1, card_columns)))
     end function word_columns
+
+    !> The word a card begins with, in capitals: what stands before the first blank or comma.
+    pure function card_word(line) result(word)
+        type(line_type), intent(in) :: line !! a line of the deck that begins with a word
+        character(scan(word_columns(line)//' ', ' ,'//achar(9), kind=i64) - 1_i64) :: word
+        word = word_columns(line)
+    end function card_word
 
     !> Reads a TITLE or UNITS card.
     subroutine read_heading_card(line, heading, faults)

@@ -249,7 +249,7 @@ contains
     pure function in_this_body(state) result(words)
         type(state_type), intent(in) :: state !! the job so far
         character(*), parameter :: reminder = ' in this body'
-        character(merge(len(reminder), 0, state%bodies > 0)) :: words
+        character(merge(len(reminder, i64), 0_i64, state%bodies > 0)) :: words
         words = reminder
     end function in_this_body
 

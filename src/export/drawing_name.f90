@@ -2,7 +2,7 @@
 !> so it has but letters, figures, `-`, `_` and `.`; a title is for people.
 module export_drawing_name
     use base_digits, only: shortest
-    use base_kinds, only: dp
+    use base_kinds, only: dp, i64
     use base_text, only: limited
     use cut_outline, only: cut_type
     use cut_plane, only: cut_kind, plane_type
@@ -60,7 +60,7 @@ contains
     !> A text with `_` for every byte that a name may not have; never empty.
     pure function safe_name(text) result(name)
         character(*), intent(in) :: text !! any bytes
-        character(max(1, len_trim(text))) :: name
+        character(max(1_i64, len_trim(text, i64))) :: name
         character(*), parameter :: letters = 'ABCDEFGHIJKLMNOPQRSTUVWXYZ', &
             others = 'abcdefghijklmnopqrstuvwxyz0123456789-_.'
 

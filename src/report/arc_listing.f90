@@ -76,7 +76,7 @@ contains
         character(19), parameter :: words(5) = [character(19) :: '; U IS BL, V IS WL', &
             '; U IS STA, V IS WL', '; U IS STA, V IS BL', '; U AND V AS ABOVE', &
             '; U AND V AS ABOVE']
-        character(len_trim(words(cut%plane%kind))) :: text
+        character(len_trim(words(cut%plane%kind), i64)) :: text
         text = words(cut%plane%kind)
     end function axes_of
 

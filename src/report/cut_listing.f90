@@ -254,7 +254,7 @@ contains
     pure function slope_figure(point, width) result(text)
         type(cut_point_type), intent(in) :: point   !! the point
         integer, intent(in) :: width                !! columns
-        character(width) :: text
+        character(int(width, i64)) :: text
         integer :: figures
 
         if (.not. point%has_slope) then
@@ -272,7 +272,7 @@ contains
         type(cut_point_type), intent(in) :: point       !! the point
         type(ordinate_form_type), intent(in) :: form    !! of ordinates
         integer, intent(in) :: width                    !! columns
-        character(width) :: text
+        character(int(width, i64)) :: text
         if (.not. point%has_curvature) then
             text = right('', width)
         else if (is_zero(point%curvature)) then

@@ -6,6 +6,7 @@
 !>                                 ^^^^^^^^^^^^^^^^
 module report_fault
     use base_fault, only: fault_list_type, fault_type, severity
+    use base_kinds, only: i64
     use base_output, only: output_type
     use base_text, only: row_of, to_text
     implicit none (type, external)
@@ -55,7 +56,7 @@ contains
     !> The word for a severity.
     pure function grade(level) result(word)
         integer, intent(in) :: level !! one of `severity%...`
-        character(merge(5, 7, level == severity%error)) :: word
+        character(merge(5_i64, 7_i64, level == severity%error)) :: word
         word = 'warning'
         if (level == severity%error) word = 'error'
     end function grade
@@ -63,7 +64,7 @@ contains
     !> A card image in which each byte is one column: what is not plain ASCII shows as `?`.
     pure function shown(card) result(image)
         character(*), intent(in) :: card !! the card image
-        character(len_trim(card(:min(len(card), shown_columns)))) :: image
+        character(len_trim(card(:min(len(card), shown_columns)), i64)) :: image
         integer :: i
         image = card
         do i = 1, len(image)

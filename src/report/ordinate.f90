@@ -55,6 +55,16 @@ contains
         end select
     end function inches_in
 
+    !> Columns of an ordinate: more than asked where feet and inches need them.
+    pure integer(i64) function ordinate_width(form, value, width) result(columns)
+        type(ordinate_form_type), intent(in) :: form !! how
+        real(dp), intent(in) :: value                !! deck units
+        integer, intent(in) :: width                 !! columns asked
+        columns = int(width, i64)
+        if (form%is_fie) columns = max(columns, &
+            len_trim(feet_inches_eighths(form%factor*value), i64))
+    end function ordinate_width
+
     !> An ordinate, right in its columns.
     pure function ordinate_text(form, value, width) result(text)
         type(ordinate_form_type), intent(in) :: form !! how
@@ -68,20 +78,11 @@ contains
         end if
     end function ordinate_text
 
-    !> Columns of an ordinate: more than asked where feet and inches need them.
-    pure integer function ordinate_width(form, value, width) result(columns)
-        type(ordinate_form_type), intent(in) :: form !! how
-        real(dp), intent(in) :: value                !! deck units
-        integer, intent(in) :: width                 !! columns asked
-        columns = width
-        if (form%is_fie) columns = max(width, len_trim(feet_inches_eighths(form%factor*value)))
-    end function ordinate_width
-
     !> An ordinate for a sentence, without blanks.
     pure function ordinate_words(form, value) result(text)
         type(ordinate_form_type), intent(in) :: form !! how
         real(dp), intent(in) :: value                !! deck units
-        character(len_trim(adjustl(ordinate_text(form, value, widest_ordinate)))) :: text
+        character(len_trim(adjustl(ordinate_text(form, value, widest_ordinate)), i64)) :: text
         text = adjustl(ordinate_text(form, value, widest_ordinate))
     end function ordinate_words
 
