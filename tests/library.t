@@ -75,9 +75,12 @@ $cc -std=c99 $strict "$examples/plane.c" $flags -o "$folder/plane-c" 2> "$folder
 ok $? 'the example in C is compiled as pkg-config says' "$(cat "$folder/log")"
 (cd "$folder" && $fc -std=f2018 -Wall "$examples/plane.f90" $flags -o plane-f) 2> "$folder/log"
 ok $? 'so is the example in Fortran' "$(cat "$folder/log")"
-$cc -std=c99 "$examples/plane.c" -I"$prefix/include" "$prefix/lib/libloft.a" \
-    $(echo "$private" | sed 's/-lloft//') -o "$folder/plane-static" 2> "$folder/log"
+archive="$prefix/lib/libloft.a $(echo "$private" | sed 's/-lloft//')"
+$cc -std=c99 "$examples/plane.c" -I"$prefix/include" $archive -o "$folder/plane-static" 2> "$folder/log"
 ok $? 'and in C with the archive' "$(cat "$folder/log")"
+(cd "$folder" && $fc -std=f2018 "$examples/plane.f90" $flags $archive -o plane-f-static) 2> "$folder/log" &&
+    ! ldd "$folder/plane-static" "$folder/plane-f-static" 2> /dev/null | grep -q libloft
+ok $? 'and in Fortran, and neither needs the shared library' "$(cat "$folder/log")"
 
 # The same cut by the program: cut, kind, then the columns of the examples.
 plane() {
@@ -86,7 +89,7 @@ plane() {
     sed '/^STATION/,$d' "cards/$1.crd" > "$folder/$1-alone.crd"
     [ "$(wc -l < "$folder/want.csv")" -gt 20 ]
     ok $? "$1: the program cuts it"
-    for program in plane-c plane-f plane-static; do
+    for program in plane-c plane-f plane-static plane-f-static; do
         "$folder/$program" "$folder/$1-alone.crd" $(echo "$2" | tr ',' ' ') > "$folder/got.csv" 2> "$folder/log"
         same "$folder/want.csv" "$folder/got.csv" > "$folder/difference"
         ok $? "$1: $program prints the same doubles" "$(cat "$folder/log"; head -5 "$folder/difference")"
@@ -129,13 +132,17 @@ version=$("$LOFT" --version)
 ok $? "careless calls do no harm: $(grep -c '^ok' "$folder/log") checks" "$(grep -v '^ok' "$folder/log")"
 $cc -std=c99 -O1 $strict tests/library/threads.c $flags -lpthread -o "$folder/threads" 2> "$folder/log"
 ok $? 'threads.c is compiled' "$(cat "$folder/log")"
-decks='cards/nose.crd cards/batten.crd cards/faults.crd cards/sae700202.crd cards/inlet.crd cards/faired.crd'
+decks='cards/nose.crd cards/batten.crd cards/faults.crd cards/sae700202.crd cards/inlet.crd cards/faired.crd
+    cards/duct.crd'
 "$folder/threads" "$([ "$MODE" = debug ] && echo 1 || echo 4)" $decks > "$folder/log" 2>&1
 ok $? 'eight threads get what one gets' "$(cat "$folder/log")"
 if has valgrind && [ "$MODE" = release ]; then
     (cd "$folder" && valgrind -q --error-exitcode=9 --leak-check=full --errors-for-leak-kinds=definite,indirect \
         ./abuse "$ROOT" "${version#loft }") > "$folder/log" 2>&1
     ok $? 'valgrind finds no bad access and no leak in careless calls' "$(grep -v '^ok' "$folder/log" | head -40)"
+    valgrind -q --tool=helgrind --error-exitcode=9 "$folder/threads" 1 cards/batten.crd cards/faults.crd \
+        cards/sae700202.crd > "$folder/log" 2>&1
+    ok $? 'helgrind finds no race between eight threads' "$(head -40 "$folder/log")"
 fi
 
 # --- DESTDIR, a foreign folder, and gone again --------------------------------------------------------
@@ -143,6 +150,20 @@ make MODE="$MODE" BUILD="$build" PREFIX=/opt/loft DESTDIR="$folder/stage" instal
     [ -x "$folder/stage/opt/loft/bin/loft" ] && [ -f "$folder/stage/opt/loft/lib/libloft.so.$abi" ] &&
     grep -q '^prefix=/opt/loft$' "$folder/stage/opt/loft/lib/pkgconfig/loft.pc"
 ok $? 'DESTDIR stands before PREFIX, and loft.pc does not know of it' "$(tail -3 "$folder/log")"
+if has pkg-config; then
+    staged=$(PKG_CONFIG_PATH="$folder/stage/opt/loft/lib/pkgconfig" PKG_CONFIG_SYSROOT_DIR="$folder/stage" \
+        pkg-config --cflags --libs loft)
+    "$folder/plane-static" "$folder/fuselage-alone.crd" 120 0 0 0 0 1 > "$folder/want.csv"
+    $cc -std=c99 "$folder/stage/opt/loft/share/doc/loft/doc/examples/plane.c" $staged -o "$folder/plane-staged" \
+        2> "$folder/log" && LD_LIBRARY_PATH=$folder/stage/opt/loft/lib \
+        "$folder/plane-staged" "$folder/fuselage-alone.crd" 120 0 0 0 0 1 > "$folder/got.csv" 2>> "$folder/log" &&
+        same "$folder/want.csv" "$folder/got.csv" > "$folder/difference"
+    ok $? 'what is staged there is compiled with and runs' "$(cat "$folder/log"; head -5 "$folder/difference")"
+fi
+make MODE="$MODE" BUILD="$build" PREFIX=/opt/loft DESTDIR="$folder/stage" uninstall > "$folder/log" 2>&1
+left=$(cd "$folder/stage" && find . ! -type d)
+[ -z "$left" ]
+ok $? 'and is taken away again' "$left $(cat "$folder/log")"
 mkdir "$folder/else where" && cd "$folder/else where" || exit 1
 "$prefix/bin/loft" run "$prefix/share/loft/cards/nose.crd" -o nose.lst && [ -s nose.lst ]
 ok $? 'the installed program runs a deck from another folder'

@@ -81,8 +81,8 @@ contains
             end do
             last = first + size(lists(i)%requests) - 1
             call say_cuts(asked(i), wishes(first:min(last, tried)), made%cuts(first:), faults)
-            if (first <= tried + 1 .and. tried < last) call blame(asked(i)%card, 1, &
-                no_room(tried + 1, size(wishes), how%room), faults)
+            if (first <= tried + 1 .and. tried < last) &
+                call blame_for_room(asked(i), tried + 1, size(wishes), how%room, faults)
             first = last + 1
         end do
         made%cards = pack(wishes%card, wishes%is_made)
@@ -199,15 +199,17 @@ contains
         end if
     end subroutine say
 
-    !> That there is no room for a cut and those behind, in words.
-    pure function no_room(number, count, room) result(words)
-        integer, intent(in) :: number   !! which
-        integer, intent(in) :: count    !! of how many of the body
-        integer, intent(in) :: room     !! that all may fill, MiB
-        character(:), allocatable :: words
-        words = 'cut '//to_text(number)//' of the '//to_text(count)//' of this body would take '// &
-            'more than '//to_text(room)//' MiB with those before; it and those behind are '// &
-            'left out: take a longer step or fewer points, or cut the rest in a deck of its own'
-    end function no_room
+    !> Says that there is no room for a cut and those behind.
+    subroutine blame_for_room(asked, number, count, room, faults)
+        type(asked_cut_type), intent(in) :: asked       !! the card whose turn it was
+        integer, intent(in) :: number                   !! which cut
+        integer, intent(in) :: count                    !! of how many of the body
+        integer, intent(in) :: room                     !! that all may fill, MiB
+        type(fault_list_type), intent(inout) :: faults  !! gets it
+        call blame(asked%card, 1, 'cut '//to_text(number)//' of the '//to_text(count)// &
+            ' of this body would take more than '//to_text(room)//' MiB with those before; it '// &
+            'and those behind are left out: take a longer step or fewer points, or cut the '// &
+            'rest in a deck of its own', faults)
+    end subroutine blame_for_room
 
 end module api_computed_cuts
