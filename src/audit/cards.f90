@@ -47,7 +47,8 @@ contains
             call out%line('* '//table_title(item))
             call out%line(trim(card_image(item, piece)))
         else
-            call out%line('* '//table_title(item)//': no card: '//why_no_card(item, piece))
+            call out%line('* '//table_title(item)//': no card: '// &
+                trim(why_no_card(item, piece)))
         end if
     end subroutine print_card
 

@@ -114,7 +114,7 @@ contains
     pure function why_no_card(item, piece) result(words)
         type(item_type), intent(in) :: item     !! the table
         type(piece_type), intent(in) :: piece   !! one conic of it
-        character(:), allocatable :: words
+        character(50) :: words
 
         if (.not. piece%card%is_whole) then
             words = 'the good figures do not tell all of its numbers'

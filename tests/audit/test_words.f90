@@ -34,12 +34,12 @@ program test_words
     call tap%same(trim(card_image(found%item(1), found%item(1)%audit%piece(1))), &
         '0.      0.      0.      25.     6.25    50.     25.     1.      5.', &
         'the card, every number with its point')
-    call tap%same(why_no_card(found%item(1), found%item(1)%audit%piece(1)), '', &
+    call tap%same(trim(why_no_card(found%item(1), found%item(1)%audit%piece(1))), '', &
         'there is nothing to say why not')
     call audit_of('AUDIT,A,SIDE|1.,1.000,2.,4.000,3.,2.500,4.,7.000,5.,1.000', found)
     call tap%ok(card_image(found%item(1), found%item(1)%audit%piece(1)) == '', &
         'no card where its numbers are not bounded')
-    call tap%same(why_no_card(found%item(1), found%item(1)%audit%piece(1)), &
+    call tap%same(trim(why_no_card(found%item(1), found%item(1)%audit%piece(1))), &
         'the good figures do not tell all of its numbers', 'and the words for that')
     call tap%finish()
 
