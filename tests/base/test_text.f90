@@ -108,5 +108,3 @@ contains
     end subroutine check_characters
 
 end program test_text
-    use, intrinsic :: ieee_arithmetic, only: ieee_negative_inf, ieee_positive_inf, ieee_quiet_nan, &
-        ieee_value
