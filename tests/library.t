@@ -78,7 +78,8 @@ ok $? 'so is the example in Fortran' "$(cat "$folder/log")"
 archive="$prefix/lib/libloft.a $(echo "$private" | sed 's/-lloft//')"
 $cc -std=c99 "$examples/plane.c" -I"$prefix/include" $archive -o "$folder/plane-static" 2> "$folder/log"
 ok $? 'and in C with the archive' "$(cat "$folder/log")"
-(cd "$folder" && $fc -std=f2018 "$examples/plane.f90" $flags $archive -o plane-f-static) 2> "$folder/log" &&
+modules=$(echo "$prefix"/include/loft/*)
+(cd "$folder" && $fc -std=f2018 "$examples/plane.f90" -I"$modules" $archive -o plane-f-static) 2> "$folder/log" &&
     ! ldd "$folder/plane-static" "$folder/plane-f-static" 2> /dev/null | grep -q libloft
 ok $? 'and in Fortran, and neither needs the shared library' "$(cat "$folder/log")"
 

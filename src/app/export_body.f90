@@ -168,13 +168,13 @@ contains
         do i = 1, size(computed)
             do k = 1, size(computed(i)%cuts)
                 number = number + 1
-                named%cuts(number)%name = cut_name(computed(i)%cuts(k))
+                named%cuts(number)%name = trim(cut_name(computed(i)%cuts(k)))
                 cards(number) = computed(i)%cuts(k)%name
             end do
             do k = 1, size(computed(i)%outlines)
                 number = number + 1
                 cut = measured_cut(computed(i)%outlines(k))
-                named%cuts(number)%name = cut_name(cut)
+                named%cuts(number)%name = trim(cut_name(cut))
                 cards(number) = cut%name
             end do
         end do

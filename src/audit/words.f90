@@ -41,7 +41,7 @@ contains
                 name = merge('Y', 'X', entry%is_along_y)//' '//trim(entry%along_text)
                 if (entry%column /= 1) name = trim(name)//' ('//to_text(entry%column)//')'
             else
-                word = words_in(known_words)
+                allocate (word, source=words_in(known_words))
                 name = word(entry%what)
             end if
         end associate
