@@ -2,6 +2,7 @@
 program test_ring_faults
     use api_ring_faults, only: warn_of_ring
     use base_fault, only: fault_list_type
+    use base_text, only: columns
     use body_body, only: body_type
     use body_build, only: build_body
     use body_ledger, only: joint_type
@@ -57,9 +58,9 @@ contains
     pure function chined(line) result(deck)
         character(*), intent(in) :: line !! the line, as it is in the deck
         character(:), allocatable :: deck
-        integer :: after
-        after = index(tube, 'LINE,'//line//'|') + len('LINE,'//line)
-        deck = tube(:after - 1)//',,CHINE'//tube(after:)
+        integer :: last
+        last = index(tube, line//'|') + len(line) - 1
+        deck = columns(tube, 1, last)//',,CHINE'//columns(tube, last + 1, len(tube))
     end function chined
 
     !> The warnings of a deck.
