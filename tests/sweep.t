@@ -191,15 +191,15 @@ sed '/^# [^l]/d; /^#  /d' "$work/out" | cmp -s - "$work/a.csv"; ok $? 'a deck fr
 
 # --- a terminal
 if script -qec true /dev/null > /dev/null 2>&1; then
-    sed 's/^SWEEP   LATIN   24/SWEEP   LATIN   400/' "$deck" > "$work/long.crd"
+    sed 's/^SWEEP   LATIN   24/SWEEP   LATIN   9000/' "$deck" > "$work/long.crd"
     # Nothing in the first two seconds; stopped in the sixth.
     script -qec "timeout -s INT 6 '$LOFT' sweep '$work/long.crd' -o '$work/long.csv'" /dev/null > "$work/shown" < /dev/null
-    tr '\r' '\n' < "$work/shown" | grep -c '^loft: variant [0-9]* of 400, [0-9]* keep all limits, [0-9 hmins]* left' > "$work/lines"
+    tr '\r' '\n' < "$work/shown" | grep -c '^loft: variant [0-9]* of 9000, [0-9]* keep all limits, [0-9 hmins]* left' > "$work/lines"
     [ "$(cat "$work/lines")" -gt 0 ] && [ ! -e "$work/long.csv" ]
     ok $? 'a terminal shows how many are done, how many keep all limits, and the time left' "$(head -c 300 "$work/shown")"
     sound=$(grep -c ',ok,,' "$work/long.csv.partial")
     script -qec "timeout -s INT 5 '$LOFT' sweep '$work/long.crd' -o '$work/long.csv' --resume" /dev/null > "$work/shown" < /dev/null
-    first=$(tr '\r' '\n' < "$work/shown" | sed -n 's/^loft: variant [0-9]* of 400, \([0-9]*\) keep.*/\1/p' | head -n 1)
+    first=$(tr '\r' '\n' < "$work/shown" | sed -n 's/^loft: variant [0-9]* of 9000, \([0-9]*\) keep.*/\1/p' | head -n 1)
     [ "${first:-0}" -ge "$sound" ] && [ "$sound" -gt 0 ]
     ok $? 'those done before are among them' "first ${first:-none}, had $sound"
 fi
