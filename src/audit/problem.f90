@@ -7,6 +7,7 @@ module audit_problem
     use audit_reading, only: line_type, meaning, reading_type, sort
     use audit_span, only: free_basis
     use base_kinds, only: dp
+    use base_order, only: ascending
     implicit none (type, external)
     private
 
@@ -77,7 +78,7 @@ contains
         end do
         if (n == 0) return
         do axis = 1, 2
-            call sort_up(given(:n, axis))
+            given(:n, axis) = ascending(given(:n, axis))
             frame%origin(axis) = given((n + 1)/2, axis)
             frame%size(axis) = given(n - n/8, axis) - given(1 + n/8, axis)
             if (.not. frame%size(axis) > 0.0_dp) &
@@ -85,21 +86,6 @@ contains
             if (.not. frame%size(axis) > 0.0_dp) frame%size(axis) = 1.0_dp
         end do
     end function frame_of
-
-    !> Sorts numbers, the least first.
-    pure subroutine sort_up(list)
-        real(dp), intent(inout) :: list(:) !! any numbers
-        real(dp) :: one
-        integer :: i, j
-        do i = 2, size(list)
-            one = list(i)
-            do j = i - 1, 1, -1
-                if (list(j) <= one) exit
-                list(j + 1) = list(j)
-            end do
-            list(j + 1) = one
-        end do
-    end subroutine sort_up
 
     !> True for a condition that is a point of the conic.
     elemental logical function is_point(condition)

@@ -1,5 +1,5 @@
-!> Numbers in order. Merging takes n log n steps, whatever order they are in; equal numbers keep
-!> their order.
+!> Numbers in order, and rows of them in the order of a dictionary. Merging takes n log n steps,
+!> whatever order they are in; equal ones keep their order.
 !>
 !> Source: D. E. Knuth, "The Art of Computer Programming", vol. 3, 2nd ed., 5.2.4 (merging of runs
 !> of doubled lengths).
@@ -10,21 +10,35 @@ module base_order
 
     public :: order_of, ascending, rising, each_once
 
+    !> The places of numbers, or of the columns of a table, in ascending order.
+    interface order_of
+        module procedure order_of_numbers, order_of_columns
+    end interface order_of
+
 contains
 
     !> The places of numbers in ascending order.
-    pure function order_of(x) result(order)
+    pure function order_of_numbers(x) result(order)
         real(dp), intent(in) :: x(:) !! any numbers
-        integer, allocatable :: order(:), merged(:)
-        integer :: run, first, i
+        integer, allocatable :: order(:)
+        allocate (order(size(x)))
+        order = order_of_columns(reshape(x, [1, size(x)]))
+    end function order_of_numbers
 
-        allocate (order(size(x)), merged(size(x)))
-        order = [(i, i=1, size(x))]
+    !> The places of columns in the order of their first numbers, then of the next.
+    pure function order_of_columns(x) result(order)
+        real(dp), intent(in) :: x(:, :) !! any numbers, shape (numbers, columns)
+        integer, allocatable :: order(:), merged(:)
+        integer :: run, first, count, i
+
+        count = size(x, 2)
+        allocate (order(count), merged(count))
+        order = [(i, i=1, count)]
         run = 1
-        do while (run < size(x))
-            do first = 1, size(x), 2*run
-                associate (middle => min(first + run, size(x) + 1), &
-                        last => min(first + 2*run - 1, size(x)))
+        do while (run < count)
+            do first = 1, count, 2*run
+                associate (middle => min(first + run, count + 1), &
+                        last => min(first + 2*run - 1, count))
                     call merge_runs(x, order(first:middle - 1), order(middle:last), &
                         merged(first:last))
                 end associate
@@ -32,11 +46,11 @@ contains
             order = merged
             run = 2*run
         end do
-    end function order_of
+    end function order_of_columns
 
     !> Merges two runs that are in order.
     pure subroutine merge_runs(x, left, right, merged)
-        real(dp), intent(in) :: x(:)        !! the numbers
+        real(dp), intent(in) :: x(:, :)     !! the columns
         integer, intent(in) :: left(:)      !! places of some, in order
         integer, intent(in) :: right(:)     !! places of others behind them, in order
         integer, intent(out) :: merged(:)   !! places of all, in order
@@ -51,7 +65,7 @@ contains
             else if (i > size(left)) then
                 merged(k) = right(j)
                 j = j + 1
-            else if (x(right(j)) < x(left(i))) then
+            else if (comes_first(x(:, right(j)), x(:, left(i)))) then
                 merged(k) = right(j)
                 j = j + 1
             else
@@ -60,6 +74,19 @@ contains
             end if
         end do
     end subroutine merge_runs
+
+    !> True where numbers come before others in the order of a dictionary.
+    pure logical function comes_first(a, b)
+        real(dp), intent(in) :: a(:) !! numbers
+        real(dp), intent(in) :: b(:) !! as many
+        integer :: i
+
+        comes_first = .false.
+        do i = 1, size(a)
+            comes_first = a(i) < b(i)
+            if (a(i) < b(i) .or. b(i) < a(i)) return
+        end do
+    end function comes_first
 
     !> Numbers in ascending order.
     pure function ascending(x) result(sorted)

@@ -2,6 +2,7 @@
 !> already, so that triangles meet edge to edge, and its own between them.
 module export_mesh_border
     use base_kinds, only: dp
+    use base_order, only: ascending, order_of
     use body_panel, only: panel_type
     use body_panel_side, only: place_on
     use export_mesh, only: add_vertex, mesh_type
@@ -119,7 +120,8 @@ contains
             border%vertex = [border%vertex, new]
             border%t = [border%t, s]
         end do
-        call sort(border%t, border%vertex)
+        border%vertex = border%vertex(order_of(border%t))
+        border%t = ascending(border%t)
     end subroutine lay_side
 
     !> Finds the vertices of open edges on a side, its corners left out, and what these edges cover.
@@ -190,22 +192,5 @@ contains
         size_of = maxval([(maxval(panel%surface%pole(i, :, :)) &
             - minval(panel%surface%pole(i, :, :)), i = 1, 3)])
     end function size_of
-
-    !> Sorts places, and vertices with them.
-    pure subroutine sort(t, vertex)
-        real(dp), intent(inout) :: t(:)         !! any; then rising
-        integer, intent(inout) :: vertex(:)     !! of each
-        real(dp) :: next
-        integer :: i, before, number
-        do i = 2, size(t)
-            next = t(i)
-            number = vertex(i)
-            before = count(t(:i - 1) <= next)
-            t(before + 2:i) = t(before + 1:i - 1)
-            vertex(before + 2:i) = vertex(before + 1:i - 1)
-            t(before + 1) = next
-            vertex(before + 1) = number
-        end do
-    end subroutine sort
 
 end module export_mesh_border

@@ -3,6 +3,7 @@
 !> ordinates, from edge to edge of the part.
 module export_pattern_grid
     use base_kinds, only: dp
+    use base_order, only: ascending
     use cut_plane, only: plane_type
     use export_drawing, only: shape_kind
     use export_pattern_number, only: ordinate
@@ -239,23 +240,7 @@ contains
             if (abs(along(part%fold)) > leaning) &
                 at = [at, (part%fold_at - foot(part%fold))/along(part%fold)]
         end if
-        call sort(at)
+        at = ascending(at)
     end subroutine find_crossings
-
-    !> Puts numbers in rising order.
-    pure subroutine sort(values)
-        real(dp), intent(inout) :: values(:) !! the numbers, few
-        real(dp) :: value
-        integer :: i, k
-
-        do i = 2, size(values)
-            value = values(i)
-            do k = i - 1, 1, -1
-                if (values(k) <= value) exit
-                values(k + 1) = values(k)
-            end do
-            values(k + 1) = value
-        end do
-    end subroutine sort
 
 end module export_pattern_grid

@@ -4,6 +4,7 @@
 module sweep_front
     use base_decimal, only: to_real
     use base_kinds, only: dp
+    use base_order, only: order_of
     use deck_sweep, only: goal
     use sweep_record, only: record_type, state
     use sweep_study, only: objectives_of, study_type
@@ -49,7 +50,7 @@ contains
         allocate (key, source=keys_of(study, records))
         records%is_front = .false.
         allocate (order, source=pack([(i, i = 1, size(records))], records%state == state%ok))
-        call sort_by_keys(key, order)
+        order = order(order_of(key(:, order)))
         allocate (front(size(order)))
         count = 0
         candidates: do i = 1, size(order)
@@ -74,10 +75,12 @@ contains
     pure function front_of(study, records) result(front)
         type(study_type), intent(in) :: study       !! the sweep
         type(record_type), intent(in) :: records(:) !! marked
+        real(dp), allocatable :: key(:, :)
         integer, allocatable :: front(:)
         integer :: i
+        allocate (key, source=keys_of(study, records))
         allocate (front, source=pack([(i, i = 1, size(records))], records%is_front))
-        call sort_by_keys(keys_of(study, records), front)
+        front = front(order_of(key(:, front)))
     end function front_of
 
     !> The best variant: of one objective the best, of several the one of the front that is nearest
@@ -107,49 +110,5 @@ contains
         least = minval(distance)
         best = front(findloc(distance <= least, .true., 1))
     end function best_of
-
-    !> Sorts variants by their keys, equals by their numbers (merge sort).
-    pure recursive subroutine sort_by_keys(key, order)
-        real(dp), intent(in) :: key(:, :)       !! of all variants
-        integer, intent(inout) :: order(:)      !! the variants, their numbers rising
-        integer, allocatable :: left(:), right(:)
-        integer :: i, j, k
-
-        if (size(order) < 2) return
-        allocate (left, source=order(:size(order)/2))
-        allocate (right, source=order(size(order)/2 + 1:))
-        call sort_by_keys(key, left)
-        call sort_by_keys(key, right)
-        i = 1
-        j = 1
-        do k = 1, size(order)
-            if (j > size(right)) then
-                order(k) = left(i)
-                i = i + 1
-            else if (i > size(left)) then
-                order(k) = right(j)
-                j = j + 1
-            else if (comes_first(key(:, right(j)), key(:, left(i)))) then
-                order(k) = right(j)
-                j = j + 1
-            else
-                order(k) = left(i)
-                i = i + 1
-            end if
-        end do
-    end subroutine sort_by_keys
-
-    !> True where keys come before others in the order of a dictionary.
-    pure logical function comes_first(a, b)
-        real(dp), intent(in) :: a(:) !! keys
-        real(dp), intent(in) :: b(:) !! keys of another
-        integer :: i
-
-        comes_first = .false.
-        do i = 1, size(a)
-            comes_first = a(i) < b(i)
-            if (a(i) < b(i) .or. b(i) < a(i)) return
-        end do
-    end function comes_first
 
 end module sweep_front

@@ -37,5 +37,8 @@ program test_order
     call tap%ok(size(rising(real(order, dp))) == size(many) .and. minval(order) == 1 &
         .and. maxval(order) == size(many), 'every place is there once')
     call tap%ok(size(each_once([many, many])) == size(many), 'a list said twice is kept once')
+    call tap%ok(all(order_of(reshape([2.0_dp, 1.0_dp, 1.0_dp, 9.0_dp, 2.0_dp, 1.0_dp, 1.0_dp, &
+        3.0_dp], [2, 4])) == [4, 2, 1, 3]), &
+        'columns are in the order of a dictionary, equal ones as they were')
     call tap%finish()
 end program test_order
