@@ -9,9 +9,8 @@ module api_computed_cuts
     use base_text, only: to_text
     use body_body, only: body_type
     use body_panel, only: panel_type
-    use cut_make, only: make_cut
     use cut_outline, only: cut_type, has_panels, keep_cuts, room_of
-    use cut_panel, only: add_panels
+    use cut_panel, only: cut_skin
     use cut_request, only: cut_fact, request_type
     use deck_body_card, only: blame, warn
     use deck_job, only: asked_cut_type => cut_type
@@ -151,8 +150,7 @@ contains
         type(panel_type), intent(in) :: panels(:)       !! its patches, then its ducts
         type(wish_type), intent(inout) :: wish          !! what is asked; gets what came of it
         type(cut_type), intent(inout) :: cut            !! the cut
-        call make_cut(body, wish%request, cut, wish%error)
-        call add_panels(panels, body, wish%request, cut, wish%error)
+        call cut_skin(body, panels, wish%request, cut, wish%error)
         wish%is_made = .not. allocated(wish%error)
     end subroutine make_one
 

@@ -10,10 +10,9 @@ module api_cut
     use base_kinds, only: dp
     use base_text, only: to_text
     use cut_faired, only: faired_cut, points_around
-    use cut_make, only: make_cut
     use cut_outline, only: made_cut_type => cut_type, made_point_type => cut_point_type, &
         note_type, outline_type
-    use cut_panel, only: add_panels
+    use cut_panel, only: cut_skin
     use cut_plane, only: buttock_plane, cut_kind, plane_through, station_plane, waterline_plane
     use cut_request, only: cut_rule, request_type
     use deck_job, only: name_length
@@ -67,7 +66,7 @@ contains
     !> Cuts a body of a deck as asked.
     !>
     !> Fails with `cause%usage` where the deck has no such body or a number is out of its range,
-    !> with `cause%points_coincide` where a normal is zero, and as `make_cut`.
+    !> with `cause%points_coincide` where a normal is zero, and as `cut_skin`.
     pure subroutine cut_asked(deck, asked, cut, error)
         type(deck_type), intent(in) :: deck                 !! loaded
         type(asked_type), intent(in) :: asked               !! what is asked
@@ -80,8 +79,7 @@ contains
         if (.not. allocated(error)) call read_request(asked, request, error)
         if (allocated(error)) return
         associate (body => deck%bodies(asked%body))
-            call make_cut(body%body, request, made, error)
-            call add_panels(body%panels, body%body, request, made, error)
+            call cut_skin(body%body, body%panels, request, made, error)
             if (.not. allocated(error)) call take_cut(made, body%sections, cut)
         end associate
     end subroutine cut_asked

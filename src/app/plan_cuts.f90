@@ -5,12 +5,10 @@ module app_plan_cuts
     use base_kinds, only: dp
     use body_body, only: body_type
     use body_panel, only: panel_type
-    use cut_make, only: make_cut
-    use cut_outline, only: cut_at, cut_type, keep_cuts
-    use cut_panel, only: add_panels
+    use cut_outline, only: cut_at, cut_type, has_outlines, keep_cuts
+    use cut_panel, only: cut_skin
     use cut_plane, only: buttock_plane, cut_kind, plane_type, station_plane, waterline_plane
     use cut_request, only: cut_fact, cut_rule, request_type
-    use export_body_curves, only: all_outlines
     use export_body_lines, only: find_corners
     use export_body_sheet, only: round_step, round_steps
     implicit none (type, external)
@@ -42,6 +40,7 @@ contains
         type(plane_type), allocatable :: planes(:)
         type(error_type), allocatable :: error
         type(request_type) :: request
+        type(panel_type) :: none(0)
         logical, allocatable :: is_drawn(:)
         real(dp) :: low(3), high(3)
         integer :: i, k, number
@@ -51,16 +50,19 @@ contains
         planes = planes_of(asked, low, high)
         deallocate (cuts)
         allocate (cuts(size(planes)*size(bodies)), is_drawn(size(planes)*size(bodies)))
+        request = closely(request, maxval(high - low))
         number = 0
         do i = 1, size(planes)
             request%plane = planes(i)
             do k = 1, size(bodies)
                 number = number + 1
-                call make_cut(bodies(k), closely(request, maxval(high - low)), cuts(number), error)
-                if (present(sets)) call add_panels(sets(k)%panel, bodies(k), &
-                    closely(request, maxval(high - low)), cuts(number), error)
+                if (present(sets)) then
+                    call cut_skin(bodies(k), sets(k)%panel, request, cuts(number), error)
+                else
+                    call cut_skin(bodies(k), none, request, cuts(number), error)
+                end if
                 is_drawn(number) = .false.
-                if (.not. allocated(error)) is_drawn(number) = size(all_outlines(cuts(number))) > 0
+                if (.not. allocated(error)) is_drawn(number) = has_outlines(cuts(number))
             end do
         end do
         call keep_cuts(is_drawn, cuts)

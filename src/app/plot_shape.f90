@@ -6,9 +6,8 @@ module app_plot_shape
     use base_error, only: error_type
     use base_kinds, only: dp
     use body_panel, only: mirrored_panel, panel_type
-    use cut_make, only: make_cut
     use cut_outline, only: cut_type
-    use cut_panel, only: add_panels
+    use cut_panel, only: cut_skin
     use cut_plane, only: plane_type
     use cut_request, only: request_type
     use export_body_lines, only: find_corners
@@ -52,8 +51,7 @@ contains
             high = maxval([(maxval(computed%panels(i)%surface%pole) &
                 - minval(computed%panels(i)%surface%pole), i = 1, size(computed%panels))])
         end if
-        call make_cut(computed%body, closely(request, maxval(high - low)), shape, error)
-        call add_panels(computed%panels, computed%body, closely(request, maxval(high - low)), &
+        call cut_skin(computed%body, computed%panels, closely(request, maxval(high - low)), &
             shape, error)
         if (allocated(error)) shape = cut
     end function shape_of

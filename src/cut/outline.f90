@@ -23,7 +23,7 @@ module cut_outline
     private
 
     public :: cut_type, outline_type, piece_type, cut_point_type, note_type, panel_curve_type
-    public :: cut_at, has_panels, keep_cuts, room_of
+    public :: cut_at, has_outlines, has_panels, keep_cuts, room_of
 
     !> A point of a cut. A value that does not exist is marked absent and is zero.
     type :: cut_point_type
@@ -100,6 +100,12 @@ module cut_outline
     end type cut_type
 
 contains
+
+    !> True for a cut that meets the body: its sections or its panels.
+    pure logical function has_outlines(cut)
+        type(cut_type), intent(in) :: cut !! as made
+        has_outlines = size(cut%outlines) > 0 .or. has_panels(cut)
+    end function has_outlines
 
     !> True for a cut that meets panels.
     pure logical function has_panels(cut)

@@ -9,7 +9,7 @@ module cut_panel
     use base_kinds, only: dp
     use body_body, only: body_type
     use body_panel, only: mirrored_panel, panel_type
-    use cut_make, only: needs_both_halves
+    use cut_make, only: make_cut, needs_both_halves
     use cut_outline, only: cut_type, outline_type, panel_curve_type
     use cut_panel_curve, only: curve_of_walk
     use cut_panel_point, only: point_on_panel
@@ -22,9 +22,23 @@ module cut_panel
     implicit none (type, external)
     private
 
-    public :: add_panels, cut_panels, panel_walks
+    public :: cut_skin, cut_panels, panel_walks
 
 contains
+
+    !> Cuts the whole skin of a body: its sections and its panels.
+    !>
+    !> Fails with the causes of `make_cut`, unless it is that no section is there and panels are,
+    !> and with those of `cut_panels`.
+    pure subroutine cut_skin(body, panels, request, cut, error)
+        type(body_type), intent(in) :: body                 !! finished
+        type(panel_type), intent(in) :: panels(:)           !! of the body
+        type(request_type), intent(in) :: request           !! what is asked
+        type(cut_type), intent(out) :: cut                  !! where there is no error
+        type(error_type), allocatable, intent(out) :: error !! see above
+        call make_cut(body, request, cut, error)
+        call add_panels(panels, body, request, cut, error)
+    end subroutine cut_skin
 
     !> Adds the outlines on panels to a cut of a body; where it meets a panel, or the body has
     !> nothing else, it does not matter that no section is there. An error of the cut stays, or

@@ -119,28 +119,25 @@ contains
         type(mesh_type), intent(inout) :: mesh                              !! over it
         type(panel_track_type), allocatable, intent(inout) :: tracks(:)     !! gets the sides
         integer :: m, n
+
         m = size(mesh%u)
         n = size(mesh%v)
         if (is_in(mesh%h(:, 1))) then
             mesh%is_above(:, 1) = mesh%is_above(:, 2)
-            call take(panel, 1, reshape([mesh%u, spread(0.0_dp, 1, m)], [2, m], order=[2, 1]), &
-                tracks)
+            call take(panel, 1, mesh%u, spread(0.0_dp, 1, m), tracks)
         end if
         if (is_in(mesh%h(:, n))) then
             mesh%is_above(:, n) = mesh%is_above(:, n - 1)
-            call take(panel, 3, reshape([mesh%u, spread(1.0_dp, 1, m)], [2, m], order=[2, 1]), &
-                tracks)
+            call take(panel, 3, mesh%u, spread(1.0_dp, 1, m), tracks)
         end if
         if (panel%is_round) return
         if (is_in(mesh%h(1, :))) then
             mesh%is_above(1, :) = mesh%is_above(2, :)
-            call take(panel, 4, reshape([spread(0.0_dp, 1, n), mesh%v], [2, n], order=[2, 1]), &
-                tracks)
+            call take(panel, 4, spread(0.0_dp, 1, n), mesh%v, tracks)
         end if
         if (is_in(mesh%h(m, :))) then
             mesh%is_above(m, :) = mesh%is_above(m - 1, :)
-            call take(panel, 2, reshape([spread(1.0_dp, 1, n), mesh%v], [2, n], order=[2, 1]), &
-                tracks)
+            call take(panel, 2, spread(1.0_dp, 1, n), mesh%v, tracks)
         end if
     contains
         !> True where heights are but rounding.
@@ -151,14 +148,17 @@ contains
     end subroutine take_sides
 
     !> Takes a side, unless it is a point.
-    pure subroutine take(panel, side, uv, tracks)
+    pure subroutine take(panel, side, u, v, tracks)
         type(panel_type), intent(in) :: panel                               !! any
         integer, intent(in) :: side                                         !! which
-        real(dp), intent(in) :: uv(:, :)                                    !! its points
+        real(dp), intent(in) :: u(:)                                        !! its points
+        real(dp), intent(in) :: v(:)                                        !! as many
         type(panel_track_type), allocatable, intent(inout) :: tracks(:)     !! gets it
         type(panel_track_type) :: track
-        track = track_through(panel, uv)
-        if (side /= panel%point) tracks = [tracks, track]
+
+        if (side == panel%point) return
+        track = track_through(panel, reshape([u, v], [2, size(u)], order=[2, 1]))
+        tracks = [tracks, track]
     end subroutine take
 
     !> The track through some points.
