@@ -43,8 +43,8 @@ module geom_spacing
     integer, parameter :: most_steps = 12
     !> A speed at an end of a panel, beside its largest term, that is zero.
     real(dp), parameter :: slow = 1.0e-4_dp
-    !> Numbers that are worked on at a time.
-    integer, parameter :: block = 32
+    !> Numbers that are worked on at a time: as many as a series is worked out at.
+    integer, parameter :: block = nodes
 
     !> The numbers of the nodes.
     real(dp), parameter :: count_of(nodes) = [1.0_dp, 2.0_dp, 3.0_dp, 4.0_dp, 5.0_dp, 6.0_dp, &
@@ -257,21 +257,14 @@ contains
         type(panel_type), intent(in) :: panel   !! the panel
         real(dp), intent(in) :: length(:)       !! from its beginning, a block of them or less
         real(dp), intent(out) :: t(:)           !! one for each
-        real(dp) :: x(block), value(block), next(block), after(block)
-        integer :: k
+        real(dp) :: x(block), value(block)
 
         x = 0.0_dp
         x(:size(length)) = min(max(length, 0.0_dp)/max(panel%length, tiny(1.0_dp)), 1.0_dp)
         x = 2.0_dp*x - 1.0_dp
         if (any(panel%is_slow)) x = stretched(panel, 0.5_dp*(1.0_dp + x))
-        next = panel%term(nodes)
-        after = 0.0_dp
-        do k = nodes - 1, 3, -2
-            after = panel%term(k) + 2.0_dp*x*next - after
-            next = panel%term(k - 1) + 2.0_dp*x*after - next
-        end do
-        value = panel%term(1) + x*next - after
-        value = 0.5_dp*(panel%from + panel%to) + 0.5_dp*(panel%to - panel%from)*value
+        value = 0.5_dp*(panel%from + panel%to) &
+            + 0.5_dp*(panel%to - panel%from)*values(panel%term, x)
         t = min(max(value(:size(t)), panel%from), panel%to)
     end subroutine place_block
 
