@@ -78,4 +78,19 @@ printf 'module deck_card\n use geom_arc, only: x\n' > src/deck/card.f90
 order > /dev/null
 ok $? 'modules that use each other do not hang the script'
 
+# Rows of a layer and what it uses, as the scripts have them and as a page has them.
+cat > ruled.awk << 'END'
+BEGIN {
+    n = split(layers, layer, " ")
+    for (i = 1; i <= n; i++) print layer[i], i == 1 ? "nothing" : \
+        i == n ? "all" : i == n - 1 ? "all but " layer[n] : below[layer[i]]
+}
+END
+ruled() { awk -f "$scripts/modules.awk" -f ruled.awk; }
+told() { sed -n 's/^| `\([a-z]*\)` *|.*| *\(.*[^ ]\) *|$/\1 \2/p' "$1"; }
+[ "$(told "$ROOT/doc/architecture.md")" = "$(ruled)" ]
+ok $? 'doc/architecture.md tells of all layers, and what each may use' "$(ruled)"
+[ "$(sed -n 's/^| `\([a-z]*\)` .*/\1/p' "$ROOT/doc/ford.md")" = "$(ruled | sed 's/ .*//')" ]
+ok $? 'so do the pages made of the docstrings'
+
 finish
