@@ -1,10 +1,11 @@
 !> Every option of LOFT as a table: its name, what stands behind it, the commands that know it, and
 !> of those of `loft export` the formats.
 module app_option_table
+    use base_text, only: upper
     implicit none (type, external)
     private
 
-    public :: option_layout_type, known, option_of, is_one_of
+    public :: option_layout_type, known, option_of, is_one_of, word_meant
 
     !> One option.
     type :: option_layout_type
@@ -75,5 +76,18 @@ contains
         character(*), intent(in) :: list !! the words
         is_one_of = index(' '//trim(list)//' ', ' '//word//' ') > 0 .and. index(word, ' ') == 0
     end function is_one_of
+
+    !> The word of a list that a text is, in capitals or not; nothing where it is none.
+    pure function word_meant(text, list) result(word)
+        character(*), intent(in) :: text !! as typed
+        character(*), intent(in) :: list !! words with blanks between them, in small letters
+        character(:), allocatable :: word
+        integer :: first
+
+        word = ''
+        if (.not. is_one_of(upper(text), upper(list))) return
+        first = index(' '//upper(trim(list))//' ', ' '//upper(text)//' ')
+        word = list(first:first + len(text) - 1)
+    end function word_meant
 
 end module app_option_table

@@ -1,7 +1,7 @@
 !> The command line: which command, its options, its decks. Everything that is not understood is an
 !> error that says what would be.
 module app_options
-    use app_option_table, only: is_one_of, option_layout_type, option_of
+    use app_option_table, only: is_one_of, option_layout_type, option_of, word_meant
     use base_decimal, only: decimal_type, to_real
     use base_error, only: cause, error_type, fail
     use base_kinds, only: dp
@@ -153,7 +153,8 @@ contains
         if (.not. allocated(error)) call keep(given, options)
     end subroutine read_option
 
-    !> Looks whether the value of an option is one it takes; reads it where it is a number.
+    !> Looks whether the value of an option is one it takes; words may be typed in capitals. Reads
+    !> it where it is a number.
     pure subroutine check_value(layout, given, error)
         type(option_layout_type), intent(in) :: layout      !! the option
         type(given_type), intent(inout) :: given            !! its value; gets the number
@@ -164,7 +165,8 @@ contains
         said = given%name//' '''//given%text//''': it is '
         select case (layout%kind)
         case ('words', 'paper')
-            if (.not. is_one_of(given%text, layout%words)) &
+            given%text = word_meant(given%text, layout%words)
+            if (given%text == '') &
                 call fail(error, cause%usage, said//'one of: '//trim(layout%words))
         case ('number', 'positive')
             said = said//'a number '//trim(layout%words)

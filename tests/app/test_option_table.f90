@@ -1,6 +1,6 @@
 !> The table of options agrees with itself.
 program test_option_table
-    use app_option_table, only: is_one_of, known, option_layout_type, option_of
+    use app_option_table, only: is_one_of, known, option_layout_type, option_of, word_meant
     use support_tap, only: tap_type
     implicit none (type, external)
 
@@ -38,6 +38,10 @@ program test_option_table
         'words of a list')
     call tap%ok(.not. (is_one_of('a b', 'a b') .or. is_one_of('c', 'a b') .or. is_one_of('', 'a') &
         .or. is_one_of('a', 'aa ba')), 'no words of it')
+    call tap%same(word_meant('A4', 'a4 letter'), 'a4', 'a word in capitals')
+    call tap%same(word_meant('Letter', 'a4 letter'), 'letter', 'a word with a capital')
+    call tap%same(word_meant('A4 LETTER', 'a4 letter')//word_meant('b4', 'a4 letter')// &
+        word_meant('', 'a4 letter'), '', 'no word of a list')
     call tap%finish()
 
 contains

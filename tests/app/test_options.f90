@@ -192,6 +192,8 @@ contains
             'program printed pages only', 'CSV of the 1970 program')
         call refused('run|--asa', '--asa goes with --arithmetic s360', 'carriage control of IEEE')
         call tap%same(command('run|-|-o|-'), 'run', 'standard input and output are two')
+        call tap%same(command('export|a|-o|b.pdf|--paper|A4|--units=MM'), 'export', &
+            'words of options in capitals')
     end subroutine check_combinations
 
     !> The command of a command line that is in order.
