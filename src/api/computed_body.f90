@@ -13,7 +13,7 @@ module api_computed_body
     use body_build, only: build_body
     use body_build_panels, only: build_panels
     use body_duct, only: build_ducts, duct_type
-    use body_gap_faults, only: report_gaps
+    use body_gap_faults, only: report_gaps, warn_of_turns
     use body_ledger, only: joint_type
     use body_outline, only: build_outlines, outline_type
     use body_panel, only: panel_type
@@ -138,6 +138,7 @@ contains
         computed%sections = [character(name_length) :: computed%body%sections%name, &
             computed%panels%name]
         call report_gaps(job%body(number), computed%body, faults)
+        call warn_of_turns(job%body(number), computed%body, faults)
         if (size(computed%sections) == 0) return
         call make_cuts(computed%body, computed%panels, job%body(number)%cut, asked, made, faults)
         call move_alloc(made%cuts, computed%cuts)

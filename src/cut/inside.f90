@@ -247,8 +247,9 @@ contains
         end if
         if (loss%beyond > 0) then
             call add_note(notes, .false., 'no inside of the skin opposite '// &
-                counted(loss%beyond, 'point')//' of the outline: a section or its smooth '// &
-                'surface ends there')
+                counted(loss%beyond, 'point')//' of the outline, the first'//place// &
+                ': a section or its smooth surface ends there; where it can go on, let its '// &
+                'lines go on')
         end if
     end subroutine tell
 

@@ -9,7 +9,7 @@ module cut_note
     use body_section, only: section_type, trace_at, trace_type
     use cut_meeting, only: edge_height, height_noise, is_across
     use cut_outline, only: cut_type, note_type
-    use cut_plane, only: plane_type
+    use cut_plane, only: height_over, plane_type
     use geom_twofold, only: to_real
     implicit none (type, external)
     private
@@ -37,6 +37,10 @@ contains
                 gaps = section_gaps(body, section)
                 do k = 1, size(gaps)
                     if (gaps(k)%from > asked(2) .or. gaps(k)%to < asked(1)) cycle
+                    if (.not. comes_near(body, section, plane, [max(gaps(k)%from, asked(1)), &
+                        min(gaps(k)%to, asked(2))])) cycle
+                    if (.not. comes_near(body, section, plane, [max(gaps(k)%from, asked(1)), &
+                        min(gaps(k)%to, asked(2))])) cycle
                     call add_note(notes, .true., 'section '//trim(section%name)// &
                         ' does not exist'//between(gaps(k)%from, gaps(k)%to)//'; '//gaps(k)%reason)
                 end do
@@ -59,6 +63,33 @@ contains
         character(len(' from station  to ', i64) + sum(compact_length([from, to]))) :: words
         words = ' from station '//compact(from)//' to '//compact(to)
     end function between
+
+    !> True where a plane comes between the points of a section's lines, or of their mirror images,
+    !> on a stretch of stations: where the section would be.
+    pure logical function comes_near(body, section, plane, ends)
+        type(body_type), intent(in) :: body         !! finished
+        type(section_type), intent(in) :: section   !! one of its sections
+        type(plane_type), intent(in) :: plane       !! any plane
+        real(dp), intent(in) :: ends(2)             !! stations, deck units
+        integer, parameter :: steps = 40
+        type(trace_type) :: trace
+        real(dp) :: sta, at(2, 3), height(6)
+        logical :: is_below, is_above
+        integer :: i, k
+
+        is_below = .false.
+        is_above = .false.
+        do i = 0, steps
+            sta = ends(1) + (real(i, dp)/real(steps, dp))*(ends(2) - ends(1))
+            trace = trace_at(body%lines, section, sta)
+            at = reshape([trace%start%point, trace%shoulder, trace%finish%point], [2, 3])
+            height = [(height_over(plane, [sta, at(:, k)]), &
+                height_over(plane, [sta, -at(1, k), at(2, k)]), k = 1, 3)]
+            is_below = is_below .or. any(height <= 0.0_dp)
+            is_above = is_above .or. any(height >= 0.0_dp)
+        end do
+        comes_near = is_below .and. is_above
+    end function comes_near
 
     !> True where a section is all in a plane, between two joints of its lines: its three points
     !> are, at four stations of which no three are special.

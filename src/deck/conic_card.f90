@@ -155,8 +155,8 @@ contains
             'a tab on a card; fields go by columns, so put blanks in its place'))
         if (line%filled <= card_columns) return
         call faults%add(new_fault(severity%error, card_columns + 1, line%filled, &
-            'text beyond column '//to_text(card_columns)//'; a card has '// &
-            to_text(card_columns)//' columns, the last two free for a sequence number'))
+            'text beyond column '//to_text(card_columns)//'; XI stands in columns 65-70, YI in '// &
+            '71-76, ITYP in 77-78, and 79-80 are free'))
     end subroutine check_columns
 
     !> Faults of one field, and remarks where it is read as 1970 read it and not as it looks.

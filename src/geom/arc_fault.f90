@@ -158,14 +158,18 @@ contains
         type(triangle_type), intent(in) :: it           !! a control triangle, no tangent along the
                                                         !! chord
         character(:), allocatable, intent(out) :: words !! the end of a sentence
-        real(dp) :: reach
+        real(dp) :: reach, corner(2), middle(2)
+
         if (abs(to_real(it%tangents)) <= it%noise*norm2(it%t1)*norm2(it%t3)) then
             words = 'between the parallel end tangents'
             return
         end if
         reach = -to_real(it%chord_off_finish/it%tangents)
+        corner = it%start%point + it%size*(reach*it%t1)
+        middle = it%start%point + 0.5_dp*(it%finish%point - it%start%point)
         words = 'inside the triangle of points 1 and 3 and the intersection of the end '// &
-            'tangents at '//at_text(it%start%point + it%size*(reach*it%t1))
+            'tangents at '//at_text(corner)//'; rho .5 has it at '// &
+            at_text(middle + 0.5_dp*(corner - middle))
     end subroutine find_inside
 
     !> A direction as a slope: `0.5`, `vertical`; blanks behind it.

@@ -2,7 +2,7 @@
 program test_gap
     use base_kinds, only: dp
     use body_body, only: body_type, finish_body
-    use body_gap, only: gap_type, section_gaps
+    use body_gap, only: gap_type, section_gaps, section_turns
     use support_bodies, only: constant_view, control_line, ellipsoid, level, plain_section, &
         straight_view, upright
     use support_tap, only: tap_type
@@ -26,6 +26,17 @@ program test_gap
     gaps = section_gaps(body, body%sections(1))
     call tap%near(gaps(1)%from, 0.0_dp, 0.0_dp, 'a gap at the beginning begins there')
     call tap%near(gaps(1)%to, 5.0_dp, 1.0e-14_dp, 'and ends where the arc begins')
+    gaps = section_turns(body, body%sections(1))
+    call tap%ok(size(gaps) == 0, 'no section turns back as long as its shoulder is outside')
+    body = sliding(straight_view([0.0_dp, 2.0_dp], [10.0_dp, 4.0_dp]))
+    gaps = section_turns(body, body%sections(1))
+    call tap%ok(size(gaps) == 1, 'a shoulder line that goes through the chord makes a stretch')
+    call tap%near(gaps(1)%from, 5.0_dp, 1.0e-12_dp, 'from where it does')
+    call tap%near(gaps(1)%to, 10.0_dp, 0.0_dp, 'to the end, on which the section goes round')
+    body = sliding(straight_view([0.0_dp, 4.0_dp], [10.0_dp, 2.0_dp]))
+    gaps = section_turns(body, body%sections(1))
+    call tap%near(gaps(1)%from, 0.0_dp, 0.0_dp, 'a stretch at the beginning begins there')
+    call tap%near(gaps(1)%to, 5.0_dp, 1.0e-12_dp, 'and ends on the chord')
     call tap%finish()
 
 contains

@@ -3,7 +3,7 @@ program test_gap_faults
     use base_fault, only: fault_list_type
     use body_body, only: body_type
     use body_build, only: build_body
-    use body_gap_faults, only: report_gaps
+    use body_gap_faults, only: report_gaps, warn_of_turns
     use body_ledger, only: joint_type
     use deck_job, only: job_type
     use support_job_deck, only: job_of, words_of
@@ -15,6 +15,9 @@ program test_gap_faults
     call tap%same(gaps_of('4.'), '', 'a section without gaps')
     call tap%has(gaps_of('6.'), '10:9-10 error: no conic from STA 0. to 10.: ', &
         'a shoulder point outside of its triangle')
+    call tap%same(gaps_of('.5'), '10:16-18 warning: the section turns by more than 180 degrees '// &
+        'from STA 0. to 10.: its shoulder point and the intersection of its end tangents are '// &
+        'on different sides of the chord|', 'a shoulder point beyond the chord')
     call tap%finish()
 
 contains
@@ -33,6 +36,7 @@ contains
             job, faults)
         call build_body(job, 1, body, joints, faults)
         call report_gaps(job%body(1), body, faults)
+        call warn_of_turns(job%body(1), body, faults)
         words = words_of(faults)
     end function gaps_of
 

@@ -49,6 +49,8 @@ contains
 
     !> A shoulder line that goes below the keel at station 5.
     subroutine check_gap()
+        type(cut_type) :: above
+
         body%lines(1) = control_line('KEEL', constant_view(0.0_dp), constant_view(0.0_dp))
         body%lines(2) = control_line('SHO', straight_view([0.0_dp, 0.5_dp], [10.0_dp, -0.5_dp]), &
             constant_view(1.9_dp))
@@ -56,6 +58,8 @@ contains
         call finish_body(body)
         cut = cut_of(body, by_number(waterline_plane(0.75_dp), 3))
         call tap%ok(size(cut%notes) == 1 .and. cut%notes(1)%is_error, 'a gap is an error')
+        call note_sections(body, waterline_plane(3.5_dp), all_stations, above%notes)
+        call tap%ok(size(above%notes) == 0, 'not of a plane that passes its lines by')
         call tap%ok(index(cut%notes(1)%message, &
             'section S does not exist from station 5. to 10.') == 1, &
             'which says where')

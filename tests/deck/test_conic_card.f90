@@ -18,7 +18,7 @@ program test_conic_card
     character(*), parameter :: contour = &
         '   0.000 -18.000 0.00000   9.000 -15.999  11.901  -7.100 999.999 2.000 2.000 1'
     character(*), &
-        parameter :: slash = '''/'' in a number; figures, a sign, a point and an exponent are read'
+        parameter :: slash = 'a fraction in a number; it is written with decimals, 1/2 as .5'
 
     call check_sound()
     call check_implied()
@@ -133,7 +133,8 @@ contains
     !> Tabs and text beyond the card.
     subroutine check_columns()
         character(*), parameter :: beyond = &
-            ' text beyond column 80; a card has 80 columns, the last two free for a sequence number'
+            ' text beyond column 80; XI stands in columns 65-70, YI in 71-76, ITYP in 77-78, '// &
+            'and 79-80 are free'
         type(conic_card_type) :: card
         type(fault_list_type) :: faults
 

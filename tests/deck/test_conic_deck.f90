@@ -100,13 +100,12 @@ contains
             'error 1:9-9 a tab on a card; fields go by columns, so put blanks in its place', &
             'a tab costs its card, the next one is read')
         call reads(mhb//repeat(' ', 80 - len(mhb))//repeat('x', 99920)//feed//lsh, '!1::1|2::2|', &
-            'error 1:81-100000 text beyond column 80; a card has 80 columns, the last two '// &
-            'free for a '// &
-            'sequence number', &
+            'error 1:81-100000 text beyond column 80; XI stands in columns 65-70, YI in '// &
+            '71-76, ITYP in 77-78, and 79-80 are free', &
             'so does a line of 100000 characters')
         call reads(repeat(' ', 3000)//'x'//feed//mhb, '!1::1|2::2|', &
-            'error 1:81-3001 text beyond column 80; '// &
-            'a card has 80 columns, the last two free for a sequence number'//feed// &
+            'error 1:81-3001 text beyond column 80; XI stands in columns 65-70, YI in '// &
+            '71-76, ITYP in 77-78, and 79-80 are free'//feed// &
             'error 1:25-40 points 1 and 2 coincide; three different points fix a conic'//feed// &
             'error 1:41-56 points 1 and 3 coincide; three different points fix a conic'//feed// &
             'error 1:41-56 points 2 and 3 coincide; three different points fix a conic'//feed// &
