@@ -6,8 +6,10 @@ module deck_audit_state
     use deck_audit_layout, only: audit_card, audit_fields_of, audit_layout, view_words
     use deck_body_card, only: blame, blame_span, card_type, field_text, warn
     use deck_body_check, only: check_against
+    use deck_body_crowd, only: blame_crowded
     use deck_body_value, only: is_filled, real_in, whole_in
-    use deck_body_word, only: begins_as_word, in_words, place_of, suggestion, words_in
+    use deck_body_word, only: begins_as_word, crowded_word, in_words, nearest_word, place_of, &
+        suggestion, words_in
     implicit none (type, external)
     private
 
@@ -34,10 +36,17 @@ contains
         type(state_type), intent(inout) :: state        !! the tables so far
         type(card_type), intent(in) :: card             !! the card
         type(fault_list_type), intent(inout) :: faults  !! what is wrong is added
+        character(:), allocatable :: word
         integer :: kind
 
-        call find_kind(card, kind, faults)
-        if (kind > 0 .and. kind /= audit_card%end) call take_as(state, card, kind, faults)
+        word = field_text(card, 1)
+        kind = audit_card%row
+        if (begins_as_word(word)) kind = place_of(word, audit_layout%word)
+        if (kind == 0) then
+            call blame_word(state, card, word, faults)
+        else if (kind /= audit_card%end) then
+            call take_as(state, card, kind, faults)
+        end if
     end subroutine take_card
 
     !> Takes a card of a kind that is known.
@@ -62,21 +71,28 @@ contains
         end if
     end subroutine take_as
 
-    !> Finds out which card it is; 0 where it is none, which is then a fault.
-    pure subroutine find_kind(card, kind, faults)
+    !> Says that a word begins no card. Where it was meant to be an AUDIT card, the rows that follow
+    !> are of its table.
+    pure subroutine blame_word(state, card, word, faults)
+        type(state_type), intent(inout) :: state        !! the tables so far
         type(card_type), intent(in) :: card             !! the card
-        integer, intent(out) :: kind                    !! one of `audit_card%...`, or 0
+        character(*), intent(in) :: word                !! its first field
         type(fault_list_type), intent(inout) :: faults  !! what is wrong is added
-        character(:), allocatable :: word
+        character(len(audit_layout%word)) :: meant
 
-        word = field_text(card, 1)
-        kind = audit_card%row
-        if (.not. begins_as_word(word)) return
-        kind = place_of(word, audit_layout%word)
-        if (kind == 0) call blame(card, 1, word//' is no card of a deck of printed tables, '// &
-            'which are '//in_words(pack(audit_layout%word, audit_layout%word /= ''))// &
-            suggestion(word, audit_layout%word), faults)
-    end subroutine find_kind
+        meant = crowded_word(word, audit_layout%word)
+        if (meant /= '') then
+            call blame_crowded(card, faults)
+        else
+            call blame(card, 1, word//' is no card of a deck of printed tables, '// &
+                'which are '//in_words(pack(audit_layout%word, audit_layout%word /= ''))// &
+                suggestion(word, audit_layout%word), faults)
+            meant = nearest_word(word, audit_layout%word)
+        end if
+        if (meant /= audit_layout(audit_card%audit)%word) return
+        call close_table(state, faults)
+        call open_table(state, card, .false., faults)
+    end subroutine blame_word
 
     !> Begins a table.
     pure subroutine open_table(state, card, is_sound, faults)

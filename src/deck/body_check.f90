@@ -4,6 +4,7 @@ module deck_body_check
     use base_text, only: to_text
     use deck_body_card, only: blame, blame_inside, blame_span, card_type, field_count, field_text, &
         warn
+    use deck_body_crowd, only: check_surplus
     use deck_body_fields, only: fields_of
     use deck_body_layout, only: body_card, body_field_type, body_layout, body_layout_type, form, &
         need
@@ -214,7 +215,9 @@ contains
         integer :: i
 
         text = field_text(card, number)
-        if (layout%options == '') then
+        if (looks_like_number(text)) then
+            call check_surplus(card, number, last, faults)
+        else if (layout%options == '') then
             call blame(card, number, 'text behind the last field of the card, which is field '// &
                 to_text(last), faults)
         else if (.not. any(words_in(layout%options) == text)) then

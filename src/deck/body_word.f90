@@ -5,7 +5,8 @@ module deck_body_word
     implicit none (type, external)
     private
 
-    public :: words_in, place_of, nearest_word, suggestion, in_words, name_trouble, begins_as_word
+    public :: words_in, place_of, nearest_word, crowded_word, suggestion, in_words, name_trouble
+    public :: begins_as_word
 
     !> Characters of a word or name.
     integer, parameter, public :: word_length = 8
@@ -68,6 +69,21 @@ contains
             nearest = word(i)
         end do
     end function nearest_word
+
+    !> The word of a list that a text begins with where more stands behind it in the same field,
+    !> `LINE TOP`, `STRAIGHT30.`; or nothing.
+    pure function crowded_word(text, word) result(crowded)
+        character(*), intent(in) :: text    !! what was read
+        character(*), intent(in) :: word(:) !! what may be read
+        character(len(word, i64)) :: crowded
+        integer :: i
+
+        crowded = ''
+        do i = 1, size(word)
+            if (word(i) == '' .or. word(i) == text) cycle
+            if (text(:verify(text//' ', letters) - 1) == word(i)) crowded = word(i)
+        end do
+    end function crowded_word
 
     !> The end of a sentence that asks whether another word was meant, or nothing.
     pure function suggestion(text, word) result(words)

@@ -4,8 +4,9 @@ module deck_job_deed
     use base_fault, only: fault_list_type, new_fault, severity
     use deck_body_card, only: blame, card_type, field_text
     use deck_body_check, only: check_card
+    use deck_body_crowd, only: blame_crowded
     use deck_body_layout, only: body_card, body_layout
-    use deck_body_word, only: begins_as_word, in_words, nearest_word, suggestion
+    use deck_body_word, only: begins_as_word, crowded_word, in_words, nearest_word, suggestion
     use deck_control_card, only: heading_type
     use deck_job, only: check_type, cut_type, job_type, side
     use deck_job_body, only: close_body, take_body, take_nose, take_section
@@ -95,25 +96,29 @@ contains
         end if
     end subroutine find_kind
 
-    !> Says that a word begins no card. If it was meant to be a data card, its line is not whole.
+    !> Says that a word begins no card. Where it was meant to be a LINE card, the data cards that
+    !> follow are its; a data card, its line is not whole.
     pure subroutine blame_word(state, card, word, faults)
         type(state_type), intent(inout) :: state        !! the job so far
         type(card_type), intent(in) :: card             !! the card
         character(*), intent(in) :: word                !! its first field
         type(fault_list_type), intent(inout) :: faults  !! what is wrong is added
-        integer :: i
+        character(len(card_word)) :: meant
 
-        if (any(card_word == word(:scan(word//' ', ' ') - 1))) then
-            call blame(card, 1, &
-                'more than the word in the first field; the next field begins in column 9, or '// &
-                'put commas between all fields', faults)
+        meant = crowded_word(word, card_word)
+        if (meant /= '') then
+            call blame_crowded(card, faults)
         else
             call blame(card, 1, word//' begins no card (see loft help cards)'// &
                 suggestion(word, card_word), faults)
+            meant = nearest_word(word, card_word)
         end if
-        do i = body_card%rho, body_card%blend
-            if (body_layout(i)%word == nearest_word(word, card_word)) state%open%is_sound = .false.
-        end do
+        if (meant == 'LINE') then
+            call close_line(state, faults)
+            call refuse_line(state)
+        else if (any(body_layout(body_card%rho:body_card%blend)%word == meant)) then
+            state%open%is_sound = .false.
+        end if
     end subroutine blame_word
 
     !> Takes a card whose fields are sound.

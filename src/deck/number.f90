@@ -24,6 +24,8 @@ module deck_number
 
     !> Figures that a number may have.
     integer, parameter :: most_figures = 18
+    !> Capital letters.
+    character(*), parameter :: letters = 'ABCDEFGHIJKLMNOPQRSTUVWXYZ'
     !> Exponents are gathered no further than this.
     integer, parameter :: exponent_bound = 100000
 
@@ -69,7 +71,7 @@ contains
         first = verify(field, ' ')
         state%is_whole = implied < 0
         do i = 1, len(field)
-            call take(number, state, field(i:i), i)
+            call take(number, state, field, i)
             if (number%first > 0) return
         end do
         if (state%met == 0) then
@@ -82,12 +84,14 @@ contains
     end function read_number
 
     !> Takes one character of a number.
-    pure subroutine take(number, state, letter, i)
+    pure subroutine take(number, state, field, i)
         type(number_type), intent(inout) :: number !! the number so far
         type(state_type), intent(inout) :: state   !! where its reading stands
-        character, intent(in) :: letter            !! the character
-        integer, intent(in) :: i                   !! its place in the field
+        character(*), intent(in) :: field          !! the columns of the field
+        integer, intent(in) :: i                   !! the character's place in it
+        character :: letter
 
+        letter = field(i:i)
         select case (letter)
         case (' ')
             call take_blank(number, state, i)
@@ -107,7 +111,7 @@ contains
         case ('E', 'D', 'e', 'd')
             call take_power(number, state, i)
         case default
-            call blame_stranger(number, i, upper(letter))
+            call blame_stranger(number, i, upper(field))
         end select
     end subroutine take
 
@@ -158,6 +162,9 @@ contains
             call blame(number, i, i, 'a point in a whole number')
         else if (state%at == stage%power) then
             call blame(number, i, i, 'a point in the exponent')
+        else if (number%has_point .and. state%blanks > 0) then
+            call blame(number, i, i, 'a second number in the field; each stands in columns of '// &
+                'its own')
         else if (number%has_point) then
             call blame(number, i, i, 'a second point in the number')
         else
@@ -244,29 +251,35 @@ contains
     end subroutine blame
 
     !> Notes a character that no number has, with the likely slip.
-    pure subroutine blame_stranger(number, i, letter)
+    pure subroutine blame_stranger(number, i, field)
         type(number_type), intent(inout) :: number !! the number at fault
-        integer, intent(in) :: i                   !! its place in the field
-        character, intent(in) :: letter            !! the character, upper case
+        integer, intent(in) :: i                   !! the character's place in the field
+        character(*), intent(in) :: field          !! the columns of the field, in capitals
+        character(*), parameter :: read_are = ' in a number; figures, a sign, a point and an '// &
+            'exponent are read'
         character(:), allocatable :: words
         character(2) :: code
+        integer :: last
 
-        select case (letter)
-        case ('O')
-            words = 'the letter O in a number; the figure is 0'
-        case ('I', 'L')
-            words = 'the letter '//letter//' in a number; the figure is 1'
+        last = max(i, i - 2 + verify(field(i:)//' ', letters))
+        select case (field(i:i))
         case (',')
             words = 'a comma in a number; the point is a full stop and fields go by columns'
-        case ('!':'+', '/', ':':'C', 'F':'H', 'J', 'K', 'M', 'N', 'P':'~')
-            words = ''''//letter// &
-                ''' in a number; figures, a sign, a point and an exponent are read'
+        case ('/')
+            words = 'a fraction in a number; it is written with decimals, 1/2 as .5'
+        case ('A':'Z')
+            words = ''''//field(i:last)//''''//read_are
+            if (field(i:last) == 'O') words = 'the letter O in a number; the figure is 0'
+            if (field(i:last) == 'I' .or. field(i:last) == 'L') &
+                words = 'the letter '//field(i:i)//' in a number; the figure is 1'
+        case ('!':'+', ':':'@', '[':'~')
+            words = ''''//field(i:i)//''''//read_are
         case default
-            write (code, '(z2.2)') ichar(letter)
+            write (code, '(z2.2)') ichar(field(i:i))
             words = 'byte '//code//' (hexadecimal) in a number; only plain ASCII figures, signs'// &
                 ' and points are read'
         end select
-        call blame(number, i, i, words)
+        call blame(number, i, last, words)
     end subroutine blame_stranger
 
 end module deck_number

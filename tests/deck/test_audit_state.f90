@@ -41,6 +41,10 @@ program test_audit_state
         '2:1-8 error: EXAKT is no card of a deck of printed tables, which are AUDIT, PRINTED, '// &
         'CONICS, SHIFT, EXACT, ABOUT, BETWEEN, ALONG or END; did you mean EXACT?|', &
         'a word that is no card')
+    call tap%same(table_faults('AUDIT A SIDE|'//row//row), &
+        '1:1-8 error: more than the word in the first field; the next field begins in '// &
+        'column 9, or put commas between all fields|', &
+        'fields with one blank between; the rows are its own')
     call tables_of('AUDIT   A       SIDEWAYS|'//row//'AUDIT   B       SIDE|ABOUT   S1      5.|'// &
         row//'AUDIT   C       SIDE|'//row, deck, faults)
     call tap%ok(deck%count == 1 .and. faults%count == 2, &

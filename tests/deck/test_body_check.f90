@@ -84,9 +84,15 @@ contains
         call same(body_card%close, 'CLOSE   YES', &
             '1:9-16 error: text behind the last field of the '// &
             'card, which is field 1|', 'text behind the last field')
-        call same(body_card%skin, 'SKIN,1.,,2.', &
-            '1:10-11 error: text behind the last field of the '// &
+        call same(body_card%skin, 'SKIN,1.,,A', &
+            '1:10-10 error: text behind the last field of the '// &
             'card, which is field 2|', 'text behind an empty field')
+        call same(body_card%straight, 'STRAIGHT0.      1.      2.      3.      4.      5.', &
+            '1:41-48 error: a number behind the last field of the card, which is field 5|', &
+            'numbers behind the last field are one fault')
+        call same(body_card%straight, 'STRAIGHT,0,0,5,1,0,0,5', &
+            '1:18-18 error: a number behind the last field of the card, which is field 5; '// &
+            'a comma ends a field, and decimals have a point: 22.5|', 'decimal commas')
         call same(body_card%stations, 'STATION,LIST,1.,,2.,X', &
             '1:21-21 error: STA: ''X'' in a number; '// &
             'figures, a sign, a point and an exponent are read|', &

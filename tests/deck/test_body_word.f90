@@ -1,6 +1,7 @@
 !> Words: lists, the nearest one, names.
 program test_body_word
-    use deck_body_word, only: begins_as_word, in_words, name_trouble, nearest_word, suggestion, &
+    use deck_body_word, only: begins_as_word, crowded_word, in_words, name_trouble, nearest_word, &
+        suggestion, &
         words_in
     use support_tap, only: tap_type
     implicit none (type, external)
@@ -14,6 +15,10 @@ program test_body_word
     call tap%same(in_words(words_in('A')), 'A', 'a list of one')
     call tap%same(in_words(words_in('A B')), 'A or B', 'a list of two')
     call tap%same(in_words(words_in('A B C D')), 'A, B, C or D', 'a list of four')
+    call tap%same(trim(crowded_word('STATION 5', deck)), 'STATION', 'a word and a blank')
+    call tap%same(trim(crowded_word('SKIN.05', deck)), 'SKIN', 'a word and a number')
+    call tap%same(trim(crowded_word('STATION', deck)), '', 'a word alone is not crowded')
+    call tap%same(trim(crowded_word('STATIONS', deck)), '', 'nor is a longer word')
     call tap%same(trim(nearest_word('SATTION', deck)), 'STATION', 'letters exchanged')
     call tap%same(trim(nearest_word('STATON', deck)), 'STATION', 'a letter left out')
     call tap%same(trim(nearest_word('SECCTION', deck)), 'SECTION', 'a letter twice')

@@ -39,6 +39,22 @@ contains
             '8:1-8 error: more than the word in the first field; the next field '// &
             'begins in column 9, or put commas between all fields|', &
             'fields with one blank between')
+        call same('LINE X SIDE|STRAIGHT,0,0,1,1|RHO 1.', &
+            '8:1-8 error: more than the word in the first field; the next field begins in '// &
+            'column 9, or put commas between all fields|'// &
+            '10:1-8 error: more than the word in the first field; the next field begins in '// &
+            'column 9, or put commas between all fields|', &
+            'a LINE card so written still has the data cards behind it')
+        call same('LINE,X,SIDE|STRAIGHT0.      0,5     1.      2.', &
+            '9:1-17 error: more than the word in the first field; on a card with a comma all '// &
+            'fields are between commas: a comma ends a field, and decimals have a point: 22.5|', &
+            'a decimal comma on a card by columns, and its line is not said to be without data')
+        call same('LINE;X;SIDE', &
+            '8:1-8 error: more than the word in the first field; fields end with their '// &
+            'columns or with a comma, not with a semicolon|', 'semicolons')
+        call same('LIEN,X,SIDE|STRAIGHT,0,0,1,1', &
+            '8:1-4 error: LIEN begins no card (see loft help cards); did you mean LINE?|', &
+            'a LINE card misspelt, too')
         call same('CHECK,BALL,1', '8:7-10 error: CHECK is followed by POINT, SPHERE or BOX|', &
             'a second word that is none')
         call same('CHECK,BOXX', &

@@ -197,7 +197,8 @@ contains
             'alone|', 'a conic among points')
         call tap%same(faults_of('LINE,A,SIDE,SPLINE|0,|3,4,,7'), '2:3-3 error: Y is missing: '// &
             'of a point or pole; under FAIRED the WL (zero is written 0.)|'// &
-            '3:6-6 error: text behind the last field of the card, which is field 3|', &
+            '3:6-6 error: a number behind the last field of the card, which is field 3; a '// &
+            'comma ends a field, and decimals have a point: 22.5|', &
             'a point cut short, and one too long')
         call tap%same(faults_of('LINE,A,SIDE,SPLINE'), '1:6-6 error: a LINE without data; its '// &
             'conics follow on data cards, or field 4 names another line or a constant|', &

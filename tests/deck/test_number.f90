@@ -90,6 +90,8 @@ contains
     !> Slips of the key.
     subroutine check_slips()
         call refused('  1.2.3 ', 3, 6, 6, 'a second point in the number')
+        call refused('22.    .', 3, 8, 8, &
+            'a second number in the field; each stands in columns of its own')
         call refused('3-0-1', 3, 4, 4, 'a sign inside the number')
         call refused('+-5.', 3, 2, 2, 'a sign inside the number')
         call refused('1--5', 3, 3, 3, 'a sign inside the number')
@@ -102,13 +104,17 @@ contains
 
     !> Characters that no number has.
     subroutine check_strangers()
-        character(*), parameter :: others = '!"#$%&''()*/:;<=>?@ABCFGHJKMNPQRSTUVWXYZ[\]^_`{|}~'
+        character(*), parameter :: others = '!"#$%&''()*:;<=>?@ABCFGHJKMNPQRSTUVWXYZ[\]^_`{|}~'
         integer :: i
 
         call refused('  O.5', 3, 3, 3, 'the letter O in a number; the figure is 0')
         call refused('  5o.', 3, 4, 4, 'the letter O in a number; the figure is 0')
         call refused('l0.', 3, 1, 1, 'the letter L in a number; the figure is 1')
         call refused('1I.', 3, 2, 2, 'the letter I in a number; the figure is 1')
+        call refused('.04IN', 3, 4, 5, &
+            '''IN'' in a number; figures, a sign, a point and an exponent are read')
+        call refused('22 1/2', 3, 5, 5, &
+            'a fraction in a number; it is written with decimals, 1/2 as .5')
         call refused('12,5', 3, 3, 3, &
             'a comma in a number; the point is a full stop and fields go by columns')
         do i = 1, len(others)
