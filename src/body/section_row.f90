@@ -70,10 +70,11 @@ contains
         logical, intent(inout) :: is_smooth(width)      !! cleared where a slope is infinite
         logical :: is_vertical(width)
 
-        jets(1) = constant(0.0_dp)
         if (line%has_plan) then
             call row_jets(line%plan, sta, has_second, jets(1), is_vertical)
             is_smooth = is_smooth .and. .not. is_vertical
+        else
+            jets(1) = constant(0.0_dp)
         end if
         call row_jets(line%side, sta, has_second, jets(2), is_vertical)
         is_smooth = is_smooth .and. .not. is_vertical

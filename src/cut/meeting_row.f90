@@ -1,6 +1,7 @@
 !> Where a plane meets the arcs of a section at stations in a row: `cut_meeting` on rows of numbers.
 !> The figures are the same.
 module cut_meeting_row
+    use base_exact, only: is_zero
     use base_kinds, only: dp
     use body_line, only: line_type
     use body_section, only: section_type
@@ -26,8 +27,6 @@ module cut_meeting_row
 
     !> What takes 1 off a row.
     type(twofold_type), parameter :: minus_one = twofold_type(-1.0_dp, 0.0_dp)
-    !> A half, for each number of a row.
-    real(dp), parameter :: half_each(width) = 0.5_dp
     !> Heights whose squares are numbers, and products of these with others.
     real(dp), parameter :: largest = 1.0e140_dp
     !> One, for each.
@@ -45,18 +44,21 @@ contains
         logical, intent(out) :: is_sure(width)          !! see above
         type(form_row_type) :: it
         type(row_type) :: root
-        logical :: is_first(width), is_small(width)
+        logical :: is_first(width)
 
         call row_forms(arc, sta, plane, real(branch, dp), it)
-        is_small = max(abs(it%start%high), abs(it%middle%high), abs(it%finish%high)) < largest
-        it%start = chosen(it%start, row_of(one_each), is_small)
-        it%middle = chosen(it%middle, row_of(one_each), is_small)
-        it%finish = chosen(it%finish, row_of(one_each), is_small)
+        is_sure = max(abs(it%start%high), abs(it%middle%high), abs(it%finish%high)) < largest
+        if (.not. all(is_sure)) then
+            it%start = chosen(it%start, row_of(one_each), is_sure)
+            it%middle = chosen(it%middle, row_of(one_each), is_sure)
+            it%finish = chosen(it%finish, row_of(one_each), is_sure)
+        end if
         root = sqrt(square(it%middle) - it%start*it%finish)
         is_first = it%middle%high > 0.0_dp
         place%alpha = chosen(it%middle + root, it%finish, is_first)
         place%beta = chosen(negative(it%start), root - it%middle, is_first)
-        is_sure = is_small .and. place%alpha%high > 0.0_dp .and. place%beta%high > 0.0_dp
+        is_sure = is_sure .and. place%alpha%high > 0.0_dp .and. place%beta%high > 0.0_dp
+        if (all(is_sure)) return
         place%alpha = chosen(place%alpha, row_of(one_each), is_sure)
         place%beta = chosen(place%beta, row_of(one_each), is_sure)
     end subroutine row_places
@@ -69,12 +71,14 @@ contains
         real(dp), intent(in) :: sense                   !! 1, or -1: heights on the other side
         type(form_row_type), intent(out) :: it          !! the forms
         type(twofold_type) :: n(3)
+        type(row_type) :: level
 
         n = twofold(sense*plane%normal)
-        it%start = heights(n, plane%through, sta, arc%start)
-        it%finish = heights(n, plane%through, sta, arc%finish)
-        it%middle = scaled(half_each, (arc%fullness + minus_one)*(it%start + it%finish)) &
-            + scaled(arc%size, n(2)*arc%bulge(1) + n(3)*arc%bulge(2))
+        level = n(1)*exact_row(sta, plane%through(1))
+        it%start = level + heights(n(2:), plane%through(2:), arc%start)
+        it%finish = level + heights(n(2:), plane%through(2:), arc%finish)
+        it%middle = (arc%fullness + minus_one)*it%start &
+            + scaled(arc%size, multiples(n(2:), arc%leaving))
     end subroutine row_forms
 
     !> The forms of a section at stations. `is_sure` is false where they are to be worked out one
@@ -109,14 +113,28 @@ contains
         end do
     end subroutine meetings_at
 
-    !> The heights of points over a plane, times the length of its normal.
-    pure type(row_type) function heights(n, through, sta, at)
-        type(twofold_type), intent(in) :: n(3)  !! normal of the plane
-        real(dp), intent(in) :: through(3)      !! a point of the plane, deck units
-        real(dp), intent(in) :: sta(width)      !! deck units
+    !> The heights of points in their sections over a plane, times the length of its normal.
+    pure type(row_type) function heights(n, through, at)
+        type(twofold_type), intent(in) :: n(2)  !! normal of the plane, along BL and WL
+        real(dp), intent(in) :: through(2)      !! a point of the plane, deck units
         real(dp), intent(in) :: at(width, 2)    !! BL, WL, deck units
-        heights = n(1)*exact_row(sta, through(1)) + n(2)*exact_row(at(:, 1), through(2)) &
-            + n(3)*exact_row(at(:, 2), through(3))
+        type(row_type) :: way(2)
+        way(1) = exact_row(at(:, 1), through(1))
+        way(2) = exact_row(at(:, 2), through(2))
+        heights = multiples(n, way)
     end function heights
+
+    !> Vectors along BL and WL times the normal of a plane, most of which have one part only.
+    pure type(row_type) function multiples(n, v) result(along)
+        type(twofold_type), intent(in) :: n(2)  !! along BL and WL, not both zero
+        type(row_type), intent(in) :: v(2)      !! the vectors
+        if (is_zero(n(1)%high)) then
+            along = n(2)*v(2)
+        else if (is_zero(n(2)%high)) then
+            along = n(1)*v(1)
+        else
+            along = n(1)*v(1) + n(2)*v(2)
+        end if
+    end function multiples
 
 end module cut_meeting_row

@@ -14,7 +14,7 @@ module cut_point_row
     use cut_request, only: cut_fact, request_type
     use geom_arc, only: arc_type
     use geom_arc_row, only: arc_row_type, place_row, place_row_type, repeated_arc, &
-        row_curvatures, row_points, row_tangents
+        row_curvatures, row_points
     use geom_place, only: place_type
     use geom_twofold_short, only: width
     implicit none (type, external)
@@ -72,8 +72,7 @@ contains
         integer :: i
 
         call place_row(places, place)
-        call row_points(arc, place, at)
-        call row_tangents(arc, place, along)
+        call row_points(arc, place, at, along)
         do i = 1, size(places)
             points(i)%place = places(i)
             points(i)%at = [request%plane%through(1), at(i, 1), at(i, 2)]

@@ -14,7 +14,7 @@ module cut_track_row
     use cut_point_row, only: face, see
     use cut_request, only: cut_fact, request_type
     use cut_track, only: track_type
-    use geom_arc_row, only: arc_row_type, place_of_row, place_row_type, row_points, row_tangents
+    use geom_arc_row, only: arc_row_type, place_of_row, place_row_type, row_points
     use geom_twofold_short, only: width
     implicit none (type, external)
     private
@@ -153,8 +153,7 @@ contains
             skin%is_sure = skin%is_sure .and. is_good
             call row_places(arc, sta, plane, track%branch, skin%place, is_good)
             skin%is_sure = skin%is_sure .and. is_good
-            call row_points(arc, skin%place, skin%at)
-            call row_tangents(arc, skin%place, along)
+            call row_points(arc, skin%place, skin%at, along)
             call row_normals(skin%patch, skin%at, along, section%outward, skin%normal, is_good)
             skin%is_sure = skin%is_sure .and. is_good
         end associate

@@ -4,13 +4,14 @@ module geom_arc_row
     use base_kinds, only: dp
     use geom_arc, only: arc_type
     use geom_place, only: place_type
+    use geom_twofold_pair, only: cross
     use geom_twofold_short, only: number_of, operator(*), operator(+), operator(-), &
         operator(/), repeated, row_of, row_type, scaled, sqrt, square, width
     implicit none (type, external)
     private
 
     public :: arc_row_type, place_row_type, repeated_arc, place_row, place_of_row
-    public :: row_points, row_tangents, row_curvatures
+    public :: row_points, row_curvatures
 
     !> Arcs, each as an `arc_type` keeps it.
     type :: arc_row_type
@@ -32,6 +33,13 @@ module geom_arc_row
         type(row_type) :: alpha     !! shares of the starts
         type(row_type) :: beta      !! shares of the finishes
     end type place_row_type
+
+    !> What points, tangents and curvatures at places a : b have in common.
+    type :: terms_row_type
+        type(row_type) :: first     !! a**2
+        type(row_type) :: both      !! 2 a b
+        type(row_type) :: last      !! b**2
+    end type terms_row_type
 
 contains
 
@@ -79,80 +87,72 @@ contains
         place = place_type(number_of(row%alpha, i), number_of(row%beta, i))
     end function place_of_row
 
-    !> The points, each coordinate within half an ulp of the largest; the ends are exactly as given.
-    pure subroutine row_points(arc, place, at)
+    !> The points, each coordinate within half an ulp of the largest, and the tangents, forward
+    !> along the arcs; the lengths of these have no meaning. The ends are exactly as given, and so
+    !> are the directions there and of lines.
+    pure subroutine row_points(arc, place, at, along)
         type(arc_row_type), intent(in) :: arc       !! any arcs
         type(place_row_type), intent(in) :: place   !! where on each
         real(dp), intent(out) :: at(width, 2)       !! x, y, deck units
-        type(row_type) :: both, apart, under, way
+        real(dp), intent(out) :: along(width, 2)    !! along x and y
+        type(terms_row_type) :: terms
+        type(row_type) :: apart, under, way
         integer :: axis, i
 
-        both = place%alpha*place%beta
-        both = both + both
+        terms = terms_of(place)
         apart = place%beta - place%alpha
-        under = square(apart) + both*arc%fullness
+        under = square(apart) + terms%both*arc%fullness
         apart = apart*(place%beta + place%alpha)
         do axis = 1, 2
-            way = (both*arc%bulge(axis) + apart*arc%half(axis))/under
+            way = (terms%both*arc%bulge(axis) + apart*arc%half(axis))/under
             way = scaled(arc%size, arc%half(axis) + way)
             way = way + row_of(arc%start(:, axis))
+            at(:, axis) = way%high
+            way = hodograph(arc, terms, axis)
+            along(:, axis) = way%high
             do i = 1, width
-                at(i, axis) = merge(way%high(i), arc%start(i, axis), place%beta%high(i) > 0.0_dp)
-                at(i, axis) = merge(at(i, axis), arc%finish(i, axis), place%alpha%high(i) > 0.0_dp)
+                if (.not. place%beta%high(i) > 0.0_dp) at(i, axis) = arc%start(i, axis)
+                if (.not. place%alpha%high(i) > 0.0_dp) then
+                    at(i, axis) = arc%finish(i, axis)
+                    along(i, axis) = arc%finish_tangent(i, axis)
+                end if
+                if (.not. place%beta%high(i) > 0.0_dp .or. arc%is_line(i)) &
+                    along(i, axis) = arc%start_tangent(i, axis)
             end do
         end do
     end subroutine row_points
 
-    !> The tangents, forward along the arcs; their lengths have no meaning. For lines and at the
-    !> ends they have the directions given.
-    pure subroutine row_tangents(arc, place, along)
+    !> What places have in common.
+    pure type(terms_row_type) function terms_of(place) result(terms)
+        type(place_row_type), intent(in) :: place   !! any
+        terms%first = square(place%alpha)
+        terms%both = place%alpha*place%beta
+        terms%both = terms%both + terms%both
+        terms%last = square(place%beta)
+    end function terms_of
+
+    !> The vectors n of `geom_arc_point` along an axis, in `size` of the arcs.
+    pure type(row_type) function hodograph(arc, terms, axis) result(n)
         type(arc_row_type), intent(in) :: arc       !! any arcs
-        type(place_row_type), intent(in) :: place   !! where on each
-        real(dp), intent(out) :: along(width, 2)    !! along x and y
-        type(row_type) :: n(2)
-        integer :: axis, i
-
-        call hodographs(arc, place, n)
-        do axis = 1, 2
-            do i = 1, width
-                along(i, axis) = merge(n(axis)%high(i), arc%finish_tangent(i, axis), &
-                    place%alpha%high(i) > 0.0_dp)
-                along(i, axis) = merge(along(i, axis), arc%start_tangent(i, axis), &
-                    place%beta%high(i) > 0.0_dp .and. .not. arc%is_line(i))
-            end do
-        end do
-    end subroutine row_tangents
-
-    !> The vectors n of `geom_arc_point`, in `size` of the arcs.
-    pure subroutine hodographs(arc, place, n)
-        type(arc_row_type), intent(in) :: arc       !! any arcs
-        type(place_row_type), intent(in) :: place   !! where on each
-        type(row_type), intent(out) :: n(2)         !! along x and y
-        type(row_type) :: first, both, last
-        integer :: axis
-
-        first = square(place%alpha)
-        both = place%alpha*place%beta
-        both = both + both
-        last = square(place%beta)
-        do axis = 1, 2
-            n(axis) = first*arc%leaving(axis) + both*arc%half(axis) + last*arc%arriving(axis)
-        end do
-    end subroutine hodographs
+        type(terms_row_type), intent(in) :: terms   !! of places on them
+        integer, intent(in) :: axis                 !! 1: x, 2: y
+        n = terms%first*arc%leaving(axis) + terms%both*arc%half(axis) &
+            + terms%last*arc%arriving(axis)
+    end function hodograph
 
     !> The curvatures, 1/deck unit, positive where an arc turns left; zero for lines.
     pure subroutine row_curvatures(arc, place, curvature)
         type(arc_row_type), intent(in) :: arc       !! any arcs
         type(place_row_type), intent(in) :: place   !! where on each
         real(dp), intent(out) :: curvature(width)   !! see above
-        type(row_type) :: n(2), both, pace, area
+        type(terms_row_type) :: terms
+        type(row_type) :: pace, area
         integer :: i
 
-        call hodographs(arc, place, n)
-        both = place%alpha*place%beta
-        pace = square(place%alpha - place%beta) + (both + both)*arc%fullness
-        pace = pace/sqrt(square(n(1)) + square(n(2)))
-        area = arc%bulge(1)*arc%half(2) - arc%bulge(2)*arc%half(1)
+        terms = terms_of(place)
+        pace = square(place%alpha - place%beta) + terms%both*arc%fullness
+        pace = pace/sqrt(square(hodograph(arc, terms, 1)) + square(hodograph(arc, terms, 2)))
+        area = cross(arc%bulge, arc%half)
         area = area*pace*pace*pace
         do i = 1, width
             curvature(i) = merge(0.0_dp, area%high(i)/arc%size(i), arc%is_line(i))

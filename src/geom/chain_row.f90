@@ -80,24 +80,31 @@ contains
         logical, intent(inout) :: is_vertical(width)        !! gets them, too
         type(arc_row_type) :: arc
         type(place_row_type) :: place
-        real(dp) :: y(width), along(width, 2), slope(width), bend(width)
-        logical :: is_upright(width), is_level(width)
+        real(dp) :: inside(width), y(width), along(width, 2), bend(width)
+        integer :: i
 
-        call row_ordinates(stroke%arc, &
-            merge(x, 0.5_dp*(stroke%start(1) + stroke%finish(1)), is_inside), place, y, along)
-        is_upright = abs(along(:, 1)) <= ulp*abs(along(:, 2))
-        is_level = .not. abs(along(:, 2)) > 0.0_dp
-        slope = merge(0.0_dp, along(:, 2), is_upright .or. is_level) &
-            /merge(1.0_dp, along(:, 1), is_upright .or. is_level)
-        jets%value = merge(y, jets%value, is_inside)
-        jets%first = merge(slope, jets%first, is_inside)
-        is_vertical = merge(is_upright, is_vertical, is_inside)
+        inside = x
+        if (.not. all(is_inside)) &
+            inside = merge(x, 0.5_dp*(stroke%start(1) + stroke%finish(1)), is_inside)
+        if (has_second) then
+            call row_ordinates(stroke%arc, inside, y, along, place)
+        else
+            call row_ordinates(stroke%arc, inside, y, along)
+        end if
+        do i = 1, width
+            if (.not. is_inside(i)) cycle
+            jets%value(i) = y(i)
+            is_vertical(i) = abs(along(i, 1)) <= ulp*abs(along(i, 2))
+            if (.not. is_vertical(i) .and. abs(along(i, 2)) > 0.0_dp) &
+                jets%first(i) = along(i, 2)/along(i, 1)
+        end do
         if (.not. has_second) return
         call repeated_arc(stroke%arc, arc)
         call row_curvatures(arc, place, bend)
-        bend = bend*(sqrt(along(:, 1)**2 + along(:, 2)**2) &
-            /merge(1.0_dp, along(:, 1), is_upright))**3
-        jets%second = merge(merge(0.0_dp, bend, is_upright), jets%second, is_inside)
+        do i = 1, width
+            if (.not. is_inside(i) .or. is_vertical(i)) cycle
+            jets%second(i) = bend(i)*(sqrt(along(i, 1)**2 + along(i, 2)**2)/along(i, 1))**3
+        end do
     end subroutine conic_jets
 
 end module geom_chain_row

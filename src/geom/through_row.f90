@@ -5,8 +5,9 @@ module geom_through_row
     use base_tolerances, only: decimal_noise, ulp
     use geom_arc_row, only: arc_row_type
     use geom_twofold, only: twofold_type
-    use geom_twofold_short, only: chosen, exact_row, negative, operator(*), operator(+), &
-        operator(-), operator(/), row_of, row_type, scaled, sqrt, width
+    use geom_twofold_pair, only: cross
+    use geom_twofold_short, only: chosen, exact_row, operator(*), operator(+), operator(-), &
+        operator(/), row_of, row_type, scaled, sqrt, width
     implicit none (type, external)
     private
 
@@ -15,6 +16,8 @@ module geom_through_row
     !> How far above its noise the height of a shoulder point over the chord must be for an arc to
     !> be made here: beyond any doubt of a straight line.
     real(dp), parameter :: clearly = 1.0e6_dp
+    !> Products of two numbers above this one are still numbers.
+    real(dp), parameter :: least = 1.0e-100_dp
     !> One, and rows of it and of a half.
     type(twofold_type), parameter :: one = twofold_type(1.0_dp, 0.0_dp)
     real(dp), parameter :: one_each(width) = 1.0_dp, half_each(width) = 0.5_dp
@@ -46,31 +49,34 @@ contains
         type(end_row_type), intent(in) :: finish    !! last points
         type(arc_row_type), intent(out) :: arc      !! the arcs
         logical, intent(out) :: is_sure(width)      !! see above
-        type(row_type) :: over(2), chord(2), u(2), v(2), root, w, rise
+        type(row_type), dimension(2) :: over, beyond, chord, u, v
+        type(row_type) :: share, w, rise, fall
         type(products_type) :: off
         integer :: axis
 
         call measure(start, shoulder, finish, arc%size, chord, over)
+        beyond(1) = over(1) - chord(1)
+        beyond(2) = over(2) - chord(2)
         u = directions(start)
         v = directions(finish)
         off%chord = cross(over, chord)
         off%start = cross(over, u)
-        off%finish = cross([over(1) - chord(1), over(2) - chord(2)], v)
+        off%finish = cross(beyond, v)
         off%chord_start = cross(chord, u)
         off%chord_finish = cross(v, chord)
         is_sure = is_clear(off, largest(start, shoulder, finish)/arc%size)
-        call settle(is_sure, off)
-        root = sqrt(off%start/off%chord_start)*sqrt(off%finish/off%chord_finish)
-        root = root + root
-        w = (off%chord/off%chord_start)*(cross(u, v)/off%chord_finish)/root
+        if (.not. all(is_sure)) call settle(is_sure, off)
+        share = share_of(off)
+        w = share*cross(v, u)
         arc%fullness = w + one
         is_sure = is_sure .and. arc%fullness%high > 0.0_dp
-        arc%fullness = chosen(arc%fullness, row_of(one_each), is_sure)
-        rise = negative(off%chord/root)
+        if (.not. all(is_sure)) arc%fullness = chosen(arc%fullness, row_of(one_each), is_sure)
+        rise = share*off%chord_finish
+        fall = share*off%chord_start
         do axis = 1, 2
             arc%half(axis) = scaled(half_each, chord(axis))
-            arc%leaving(axis) = (rise/off%chord_start)*u(axis)
-            arc%arriving(axis) = (rise/off%chord_finish)*v(axis)
+            arc%leaving(axis) = rise*u(axis)
+            arc%arriving(axis) = fall*v(axis)
             arc%bulge(axis) = arc%leaving(axis) - w*arc%half(axis)
         end do
         arc%start = start%point
@@ -126,12 +132,15 @@ contains
         way(2) = row_of(it%tangent(:, 2)/power)
     end function directions
 
-    !> `u x v`.
-    pure type(row_type) function cross(u, v)
-        type(row_type), intent(in) :: u(2) !! vectors
-        type(row_type), intent(in) :: v(2) !! others
-        cross = u(1)*v(2) - u(2)*v(1)
-    end function cross
+    !> What is common to the legs of control triangles and the weights of their arcs: with it, k,
+    !> the legs are k (v x chord) u and k (chord x u) v, and the weights k v x u.
+    pure type(row_type) function share_of(off) result(share)
+        type(products_type), intent(in) :: off !! of triangles that have arcs
+        real(dp) :: sense(width)
+        sense = sign(0.5_dp, off%chord_start%high)*sign(1.0_dp, off%chord_finish%high)
+        share = scaled(-sense, off%chord)/sqrt((off%start*off%chord_start) &
+            *(off%finish*off%chord_finish))
+    end function share_of
 
     !> The largest coordinates of the points.
     pure function largest(start, shoulder, finish)
@@ -149,8 +158,8 @@ contains
         real(dp), intent(in) :: size(width)     !! largest coordinates, in `size` of the arcs
         logical :: is_clear(width)
         is_clear = abs(off%chord%high) > clearly*decimal_noise*ulp*size &
-            .and. off%start%high*off%chord_start%high > 0.0_dp &
-            .and. off%finish%high*off%chord_finish%high > 0.0_dp
+            .and. off%start%high*off%chord_start%high > least &
+            .and. off%finish%high*off%chord_finish%high > least
     end function is_clear
 
     !> Makes what is not to be used harmless.

@@ -6,7 +6,7 @@ program test_arc_row
     use geom_arc, only: arc_through, arc_type, end_type, line_between
     use geom_arc_point, only: curvature, point, tangent
     use geom_arc_row, only: arc_row_type, place_of_row, place_row, place_row_type, repeated_arc, &
-        row_curvatures, row_points, row_tangents
+        row_curvatures, row_points
     use geom_place, only: at_finish, at_start, place_at, place_type
     use geom_twofold_short, only: width
     use support_random, only: random_type
@@ -67,8 +67,7 @@ contains
     subroutine draw()
         call repeated_arc(arc, row)
         call place_row(places, place)
-        call row_points(row, place, at)
-        call row_tangents(row, place, along)
+        call row_points(row, place, at, along)
         call row_curvatures(row, place, bend)
     end subroutine draw
 

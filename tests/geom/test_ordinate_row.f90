@@ -22,7 +22,7 @@ program test_ordinate_row
     x = [(2.0_dp*real(i, dp)/real(width + 1, dp), i=1, width)]
     call arc_through(end_type([0.0_dp, 0.0_dp], [1.0_dp, 0.0_dp]), [1.0_dp, 1.0_dp], &
         end_type([2.0_dp, 4.0_dp], [1.0_dp, 4.0_dp]), arc, error)
-    call row_ordinates(arc, x, place, y, along)
+    call row_ordinates(arc, x, y, along, place)
     call tap%near(maxval(abs(y - x**2)), 0.0_dp, 1.0e-15_dp, 'y = x**2')
     call tap%near(maxval(abs(along(:, 2)/along(:, 1) - 2.0_dp*x)), 0.0_dp, 2.0e-15_dp, &
         'with its slope')
@@ -34,12 +34,12 @@ program test_ordinate_row
     call arc_through(end_type([1.0_dp, 2.0_dp], [1.0_dp, -2.0_dp]), [2.0_dp, 1.0_dp], &
         end_type([4.0_dp, 0.5_dp], [1.0_dp, -0.125_dp]), arc, error)
     x = 1.0_dp + 1.49_dp*x
-    call row_ordinates(arc, x, place, y, along)
+    call row_ordinates(arc, x, y, along, place)
     call tap%near(maxval(abs(y - 2.0_dp/x)), 0.0_dp, 1.0e-15_dp, 'y = 2/x')
     call tap%near(maxval(abs(along(:, 2)/along(:, 1) + 2.0_dp/x**2)), 0.0_dp, 2.0e-15_dp, &
         'with its slope')
     arc = line_between([1.0_dp, 0.0_dp], [5.0_dp, 8.0_dp])
-    call row_ordinates(arc, x, place, y, along)
+    call row_ordinates(arc, x, y, along, place)
     call tap%near(maxval(abs(y - 2.0_dp*(x - 1.0_dp))), 0.0_dp, 1.0e-15_dp, 'a line')
     call tap%finish()
 end program test_ordinate_row
