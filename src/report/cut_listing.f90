@@ -6,8 +6,7 @@
 !>     SECTION LOWER
 !>         20.000      0.000    -20.999    0.000000       16.123    -4.982
 !>
-!> An oblique cut is given in its true shape too: u and v in its own plane, whose origin and axes
-!> are stated.
+!> An oblique cut is given in its true shape too: u and v in its own plane, with origin and axes.
 module report_cut_listing
     use base_exact, only: is_zero
     use base_kinds, only: dp, i64
@@ -28,8 +27,8 @@ module report_cut_listing
     integer, parameter :: ordinate_width = 8, narrow_width = 7, bevel_width = 9
     !> Decimals of slopes and bevels.
     integer, parameter :: slope_decimals = 6, bevel_decimals = 3
-    !> Lines of a cut that stay together.
-    integer, parameter :: block_lines = 10
+    !> Lines of a cut, and of an outline, that stay together.
+    integer, parameter :: block_lines = 10, outline_lines = 6
 
 contains
 
@@ -50,6 +49,7 @@ contains
         if (is_oblique(cut)) call print_axes(page, cut%plane, form, out)
         if (met == 0) call page%line(out, 'THE PLANE DOES NOT MEET THE SKIN HERE')
         do i = 1, size(cut%outlines)
+            call page%keep(out, outline_lines)
             call page%line(out, 'OUTLINE '//to_text(i)//' OF '//to_text(size(cut%outlines))// &
                 trim(merge(', CLOSED', ', OPEN  ', cut%outlines(i)%is_closed)))
             call print_points(page, cut, cut%outlines(i), sections, form, out)
@@ -146,6 +146,7 @@ contains
         type(output_type), intent(inout) :: out         !! where it goes
         integer :: i
         do i = 1, size(cut%patched)
+            call page%keep(out, outline_lines)
             call page%line(out, 'ON '//trim(panels_word(cut))//': OUTLINE '//to_text(i)//' OF '// &
                 to_text(size(cut%patched))// &
                 trim(merge(', CLOSED', ', OPEN  ', cut%patched(i)%is_closed)))
@@ -178,6 +179,7 @@ contains
         integer :: i
         do i = 1, size(cut%inside)
             if (size(cut%inside(i)%points) == 0) cycle
+            call page%keep(out, outline_lines)
             call page%line(out, 'INSIDE OF SKIN, '//ordinate_words(form, cut%skin)// &
                 ' THICK: OUTLINE '//to_text(i)//' OF '//to_text(size(cut%inside)))
             call print_points(page, cut, cut%inside(i), sections, form, out)

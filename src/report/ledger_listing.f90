@@ -30,6 +30,7 @@ contains
         type(ordinate_form_type), intent(in) :: form    !! unit and decimals
         type(output_type), intent(inout) :: out         !! where it goes
         character(page_columns) :: head(2)
+        character(:), allocatable :: words
         integer :: i
 
         if (size(joints) == 0) return
@@ -42,8 +43,10 @@ contains
             right('BEFORE', figure_width)//right('AFTER', figure_width)
         call page%set_columns(out, head)
         do i = 1, size(joints)
+            words = '  '//upper(trim(joint_words(joints(i))))
+            call page%keep(out, 2 + len(words)/page%width())
             call page%line(out, row(joints(i), form))
-            call page%paragraph(out, '  '//upper(trim(joint_words(joints(i)))))
+            call page%paragraph(out, words)
         end do
         call page%end_columns()
         call page%blank(out)

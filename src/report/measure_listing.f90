@@ -60,8 +60,8 @@ contains
                     ordinate_words(form, section%sta)//' '//section%why
             end associate
         end do
-        if (allocated(why)) call page%paragraph(out, why)
         call page%end_columns()
+        if (allocated(why)) call page%paragraph(out, why)
     end subroutine print_curve
 
     !> The row of a section: lengths in the printed unit, areas in its square, moments in its

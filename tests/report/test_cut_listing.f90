@@ -16,6 +16,8 @@ program test_cut_listing
     type(cut_type) :: cut
     type(error_type), allocatable :: error
     character(:), allocatable :: text
+    integer :: i
+    logical :: whole
 
     cut%plane = station_plane(20.0_dp)
     cut%name = 'FRAME3'
@@ -52,6 +54,16 @@ program test_cut_listing
     call tap%has(text, 'AGREE WITHIN 1.5E-13', 'how well the two ways agree is said')
     call tap%has(text, 'NOTE:  THE SKIN IS THICKER', 'notes stand below')
 
+    cut%skin = 0.05_dp
+    cut%inside = cut%outlines
+    do i = 12, 24
+        text = paged_listing(i)
+        whole = index(text, 'INSIDE OF SKIN, 0.050 THICK: OUTLINE 1 OF 1'//new_line('a')// &
+            '        STA') > 0
+        if (.not. whole) exit
+    end do
+    call tap%ok(whole, 'the heading of the inside stays with its table on any page')
+
     call oblique_plane([20.0_dp, -16.0_dp], [30.0_dp, -6.0_dp], cut%plane, error)
     text = listing()
     call tap%has(text, 'OBLIQUE FRAME', 'an oblique frame is called one')
@@ -61,6 +73,18 @@ program test_cut_listing
     call tap%finish()
 
 contains
+
+    !> The listing of the cut on pages of some lines.
+    function paged_listing(lines) result(text)
+        integer, intent(in) :: lines !! of a page
+        character(:), allocatable :: text
+        type(page_type) :: page
+        type(output_type) :: out
+        call page%set_heading('TITLE', 'deck.crd', 'INCHES')
+        call page%set_size(80, lines)
+        call print_cut(page, 7, cut, ['LOWER', 'UPPER'], new_form('INCHES', 'INCHES', 3), out)
+        text = out%text()
+    end function paged_listing
 
     !> The listing of the cut as number 7.
     function listing() result(text)
