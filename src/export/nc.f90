@@ -78,7 +78,7 @@ contains
         do i = 1, size(shapes)
             run = run_of(shapes(i), settings, unit)
             if (i == 1) call out%line('G0 '//word('Z', run%safe, run%decimals))
-            if (i > 1) call put_stop(out)
+            if (i > 1) call put_stop(out, 'NEXT PIECE OF STOCK')
             call put_shape(out, shapes(i), run, receipt, error)
             if (allocated(error)) return
         end do
@@ -157,15 +157,17 @@ contains
         call out%line('G17 G90 G94 G40 G49 G80')
     end subroutine put_head
 
-    !> Puts the stop between two cuts.
-    subroutine put_stop(out)
+    !> Puts the stop between two cuts, or between the two sides of a skin.
+    subroutine put_stop(out, next)
         type(output_type), intent(inout) :: out     !! gets it
+        character(*), intent(in) :: next            !! what comes next
         call out%line('M5')
-        call out%line(comment('NEXT PIECE OF STOCK - START THE SPINDLE AGAIN'))
+        call out%line(comment(next//' - START THE SPINDLE AGAIN'))
         call out%line('M0')
     end subroutine put_stop
 
-    !> Puts the contours of a cut, those of the inside of the skin first.
+    !> Puts the contours of a cut, those of the inside of the skin first. Between them the machine
+    !> stops: a frame inside of the skin ends with the first.
     subroutine put_shape(out, shape, run, receipt, error)
         type(output_type), intent(inout) :: out             !! gets them
         type(shape_type), intent(in) :: shape               !! the cut
@@ -180,6 +182,8 @@ contains
         if (run%has_arcs) call out%line(comment('CIRCULAR ARCS WITHIN '//compact(run%tolerance)))
         do turn = 1, 2
             is_inside = turn == 1
+            if (turn == 2 .and. any(shape%contours%is_inside)) &
+                call put_stop(out, 'NEXT THE OUTSIDE OF THE SKIN')
             if (any(shape%contours%is_inside)) call out%line(comment( &
                 merge('INSIDE OF THE SKIN ', 'OUTSIDE OF THE SKIN', is_inside)))
             do i = 1, size(shape%contours)

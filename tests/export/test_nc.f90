@@ -156,7 +156,9 @@ contains
         call tap%has(text, nl//'(WITHIN 0.001 IN OF THE EXACT SHAPE)'//nl, 'the tolerance')
         call tap%has(text, nl//'(CUT 1 STATION STA-20)'//nl//'(1 PIECE, X IS BL, Y IS WL)'//nl// &
             '(INSIDE OF THE SKIN)'//nl, 'which cut, how many pieces, what X and Y are, which side')
-        call tap%has(text, nl//'(OUTSIDE OF THE SKIN)'//nl, 'and the other side')
+        call tap%has(text, nl//'M5'//nl//'(NEXT THE OUTSIDE OF THE SKIN - '// &
+            'START THE SPINDLE AGAIN)'//nl//'M0'//nl//'(OUTSIDE OF THE SKIN)'//nl, &
+            'and the other side, behind a stop')
         call tap%ok(index(text, '-0.0000') == 0, 'zero has no sign')
         first = 1
         longest = 0
@@ -166,7 +168,7 @@ contains
             first = first + length + 1
         end do
         call tap%ok(longest <= 79, 'no line is longer than Grbl reads')
-        call tap%ok(index(text, 'M0'//nl) == 0, 'one cut needs no stop')
+        call tap%ok(index(text, nl//'(NEXT PIECE') == 0, 'one cut needs no other stop')
         call write_nc(drawing, settings, again, receipt, error)
         call tap%same(again%text(), text, 'the same drawing gives the same bytes')
     end subroutine check_words

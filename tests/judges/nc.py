@@ -26,7 +26,7 @@ class Machine:
         self.at = np.array([0.0, 0.0, 1.0])
         self.units = self.feed = self.motion = None
         self.modes, self.complaints = set(), []
-        self.paths, self.cut, self.stops = {}, None, 0
+        self.paths, self.cut, self.stops, self.skins = {}, None, 0, 0
         self.is_inside, self.path, self.insides = False, [], []
         self.depths, self.ended = set(), False
         self.arcs, self.misses, self.turns = 0, [0.0], [0.0]
@@ -42,6 +42,7 @@ class Machine:
             self.cut, self.is_inside = int(said[1]), False
         if 'SIDE OF THE SKIN)' in block:
             self.is_inside = '(INSIDE' in block
+            self.skins += self.is_inside
         plain = re.sub(r'\([^()]*\)', '', block).strip()
         if not re.fullmatch(r'([A-Z][-+]?[0-9]*\.?[0-9]* ?)*', plain):
             self.complain(block, 'no words')
@@ -167,8 +168,10 @@ def main():
         tally.ok(machine.depths == {options.depth}, f'it cuts at Z {machine.depths}')
     cuts = read_cuts(options.csv, options.factor)
     wanted = options.cuts or len(cuts)
-    tally.ok(len(machine.paths) == wanted and machine.stops == wanted - 1,
-             f'{wanted} cuts, and a stop before each but the first')
+    tally.ok(len(machine.paths) == wanted
+             and machine.stops == wanted - 1 + machine.skins,
+             f'{wanted} cuts, {machine.skins} of them with an inside, '
+             'and a stop before each but the first')
     drawn = {n: [np.array(p) for p in paths] for n, paths in machine.paths.items()}
     compare(tally, cuts, drawn, options)
     tally.finish()
