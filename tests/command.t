@@ -117,6 +117,16 @@ loft check "$odd"
 [ "$status" = 1 ] && head -n 1 "$work/err" | grep -qF "$odd:1:1-1: error: X1: "
 ok $? 'the name stands in the diagnostics as it was given' "$(cat "$work/err")"
 
+loft help station
+[ "$status" = 0 ] && head -n 1 "$work/out" | grep -q '^STATION: '
+ok $? 'help on one card'
+loft run $deck -o "$work/table.csv"
+[ "$status" = 0 ] && grep -q 'table.csv gets a listing; --format csv' "$work/err"
+ok $? 'a listing into a file of comma-separated values is remarked on'
+loft run --format CSV $deck -o "$work/table.csv"
+[ "$status" = 0 ] && [ ! -s "$work/err" ] && head -n 1 "$work/table.csv" | grep -q '^card,axis,x,y'
+ok $? '--format csv in capitals'
+
 loft check $deck
 [ "$status" = 0 ] && [ ! -s "$work/out" ] && [ ! -s "$work/err" ]
 ok $? 'check says nothing of a sound deck and ends with 0'

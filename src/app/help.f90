@@ -3,7 +3,8 @@ module app_help
     use base_constants, only: version
     use base_error, only: cause, error_type, fail
     use base_output, only: output_type
-    use report_card_reference, only: print_card_reference
+    use base_text, only: upper
+    use report_card_reference, only: print_card, print_card_reference
     implicit none (type, external)
     private
 
@@ -15,9 +16,11 @@ contains
     !>
     !> Fails with `cause%usage` where there is no such topic.
     subroutine print_help(topic, out, error)
-        character(*), intent(in) :: topic                   !! a command, `cards`, or nothing
+        character(*), intent(in) :: topic                   !! a command, `cards`, the word of a
+                                                            !! card, or nothing
         type(output_type), intent(inout) :: out             !! where it goes
         type(error_type), allocatable, intent(out) :: error !! see above
+        logical :: is_card
 
         select case (topic)
         case ('')
@@ -38,10 +41,12 @@ contains
             call print_card_reference(out)
         case ('help')
             call out%lines([character(80) :: 'loft help [TOPIC]', '', &
-                'TOPIC is run, check, plot, export, audit, sweep or cards; none is the overview.'])
+                'TOPIC is run, check, plot, export, audit, sweep, cards, or the word that a card', &
+                'begins with, as STATION; CONIC is the card of 1970. None is the overview.'])
         case default
-            call fail(error, cause%usage, 'no help on '''//topic// &
-                '''; topics: run check plot export audit sweep cards')
+            call print_card(upper(topic), out, is_card)
+            if (.not. is_card) call fail(error, cause%usage, 'no help on '''//topic// &
+                '''; topics: run check plot export audit sweep cards, or a card, as STATION')
         end select
     end subroutine print_help
 
@@ -62,7 +67,7 @@ contains
             '  loft export [OPTIONS] DECK     patterns, CAD files, meshes, NC programs', &
             '  loft audit [OPTIONS] DECK      printed tables back to their lines', &
             '  loft sweep [OPTIONS] DECK      many variants, the best of them', &
-            '  loft help [TOPIC]              a command, or cards', &
+            '  loft help [TOPIC]              a command, cards, or one card, as STATION', &
             '  loft --version', '', &
             'A DECK of - is standard input; run reads it too where no deck is named.', '', &
             'Exit status: 0 all done; 1 some card was in error, the others ran; 2 the', &

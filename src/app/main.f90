@@ -6,7 +6,7 @@ program loft
     use app_export, only: export_deck
     use app_files, only: hold_standard_files
     use app_help, only: print_help, print_version
-    use app_options, only: argument_type, options_type, read_options
+    use app_options, only: argument_type, is_csv_by_name, options_type, read_options
     use app_plot, only: plot_deck
     use app_run, only: run_deck
     use app_signals, only: end_run, guard_run
@@ -29,6 +29,8 @@ program loft
     exit_status = status%done
     call read_options(command_line(), options, error)
     if (.not. allocated(error)) then
+        if (is_csv_by_name(options)) call messages%line('loft: '//options%output// &
+            ' gets a listing; --format csv gives comma-separated values')
         select case (options%command)
         case ('run')
             call run_deck(options, exit_status, messages, error)

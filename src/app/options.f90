@@ -5,11 +5,12 @@ module app_options
     use base_decimal, only: decimal_type, to_real
     use base_error, only: cause, error_type, fail
     use base_kinds, only: dp
+    use base_text, only: upper
     use deck_number, only: number_type, read_number
     implicit none (type, external)
     private
 
-    public :: options_type, argument_type, given_type, read_options, was_given
+    public :: options_type, argument_type, given_type, read_options, was_given, is_csv_by_name
 
     !> One word of the command line.
     type :: argument_type
@@ -250,6 +251,17 @@ contains
             was_given = was_given .or. options%given(i)%name == name
         end do
     end function was_given
+
+    !> True where a listing goes into a file whose name says that it holds comma-separated values.
+    pure logical function is_csv_by_name(options)
+        type(options_type), intent(in) :: options   !! the command line
+        integer :: point
+
+        point = index(options%output, '.', back=.true.)
+        is_csv_by_name = .false.
+        if (point == 0 .or. .not. is_one_of(options%command, 'run audit')) return
+        is_csv_by_name = upper(options%output(point:)) == '.CSV' .and. options%format /= 'csv'
+    end function is_csv_by_name
 
     !> What can't stand together.
     pure subroutine check_options(options, error)

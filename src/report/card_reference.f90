@@ -7,11 +7,12 @@ module report_card_reference
     use deck_body_card, only: field_width, fields_across
     use deck_body_fields, only: fields_of, form_words
     use deck_body_layout, only: body_field_type, body_layout, body_layout_type, need, option_words
+    use deck_body_word, only: words_in
     use deck_layout, only: conic_fields, field_layout_type, title_fields, units_fields
     implicit none (type, external)
     private
 
-    public :: print_card_reference
+    public :: print_card_reference, print_card
 
 contains
 
@@ -45,6 +46,36 @@ contains
             call print_body_layout(audit_layout(i), audit_fields_of(i), out)
         end do
     end subroutine print_card_reference
+
+    !> Prints the cards that begin with a word, their options behind them.
+    subroutine print_card(word, out, is_card)
+        character(*), intent(in) :: word            !! in capitals; CONIC: the card of 1970
+        type(output_type), intent(inout) :: out     !! where it goes
+        logical, intent(out) :: is_card             !! there is such a card
+        integer :: i
+
+        is_card = any(word == [character(5) :: 'CONIC', 'TITLE', 'UNITS'])
+        if (word == 'CONIC') call print_layout('The conic card of a 1970 deck', conic_fields, out)
+        if (word == 'TITLE') call print_layout('TITLE', title_fields, out)
+        if (word == 'UNITS') call print_layout('UNITS', units_fields, out)
+        if (is_card .or. word == '') return
+        do i = 1, size(body_layout)
+            if (body_layout(i)%word == word) call put_card(body_layout(i), fields_of(i))
+        end do
+        do i = 1, size(audit_layout)
+            if (audit_layout(i)%word == word) call put_card(audit_layout(i), audit_fields_of(i))
+        end do
+    contains
+        !> Prints one of them.
+        subroutine put_card(layout, field)
+            type(body_layout_type), intent(in) :: layout    !! the card
+            type(body_field_type), intent(in) :: field(:)   !! its fields
+            if (is_card) call out%line('')
+            is_card = .true.
+            call print_body_layout(layout, field, out)
+            call print_option_words(words_in(layout%options), out)
+        end subroutine put_card
+    end subroutine print_card
 
     !> Prints how the cards of printed tables are read.
     subroutine print_audit_rules(out)
@@ -174,13 +205,21 @@ contains
     !> Prints the option words of data cards.
     subroutine print_options(out)
         type(output_type), intent(inout) :: out !! where it goes
-        integer :: i
         call out%line('Options of LINE, data cards and PATCH, in any order in the fields behind'// &
             ' the last one')
         call out%line('')
-        do i = 1, size(option_words)
-            call out%line('  '//option_words(i)%word//'  '//trim(option_words(i)%meaning))
-        end do
+        call print_option_words(option_words%word, out)
     end subroutine print_options
+
+    !> Prints option words with their meanings.
+    subroutine print_option_words(word, out)
+        character(*), intent(in) :: word(:)     !! some of them
+        type(output_type), intent(inout) :: out !! where they go
+        integer :: i
+        do i = 1, size(option_words)
+            if (any(word == option_words(i)%word)) call out%line('  '//option_words(i)%word// &
+                '  '//trim(option_words(i)%meaning))
+        end do
+    end subroutine print_option_words
 
 end module report_card_reference

@@ -3,12 +3,12 @@
 program test_card_reference
     use base_output, only: output_type
     use deck_body_layout, only: body_layout
-    use report_card_reference, only: print_card_reference
+    use report_card_reference, only: print_card, print_card_reference
     use support_tap, only: tap_type
     implicit none (type, external)
 
     type(tap_type) :: tap
-    type(output_type) :: out
+    type(output_type) :: out, few
     character(:), allocatable :: text
     character(*), parameter :: feed = new_line('a')
     character(21), parameter :: rows(11) = [character(21) :: &
@@ -18,6 +18,7 @@ program test_card_reference
         '57-64  S3     F8.5 ', &
         '65-70  XI     F6.3 ', '71-76  YI     F6.3 ', '77-78  ITYP   I2   ']
     integer :: i, next
+    logical :: is_card
 
     call print_card_reference(out)
     text = out%text()
@@ -51,5 +52,21 @@ program test_card_reference
         i = i + next
     end do
     call tap%ok(next == 0, 'no line is wider than a printer''s')
+    call print_card('STATION', few, is_card)
+    text = few%text()
+    call tap%ok(is_card .and. index(text, 'STATION: ') == 1 .and. &
+        index(text, feed//'STATION LIST: ') > 0 .and. index(text, 'BUTTOCK') == 0, &
+        'the cards of one word alone')
+    call print_card('LINE', few, is_card)
+    call tap%has(few%text(), feed//'  CHINE     the skin is meant to break where sections', &
+        'with the meaning of their options')
+    call print_card('AUDIT', few, is_card)
+    call tap%ok(is_card, 'a card of printed tables')
+    call print_card('CONIC', few, is_card)
+    call tap%has(few%text(), '77-78  ITYP   I2', 'the card of 1970')
+    call print_card('', few, is_card)
+    call tap%ok(.not. is_card, 'no word is no card')
+    call print_card('FUSELAGE', few, is_card)
+    call tap%ok(.not. is_card, 'nor is another')
     call tap%finish()
 end program test_card_reference
