@@ -15,8 +15,10 @@ load 'style.gp'
 
 data = picture.'.dat'
 array mark[4]  = [2, 6, 7, 3]
-array colour[4] = ['#cccccc', '#9aa5b1', '#0072b2', '#d55e00']
-array big[4]   = [0.4, 0.4, 0.7, 2.0]
+array colour[4] = ['#8a94a0', '#56606b', '#0072b2', '#d55e00']
+# Marks grow where there are few.
+few = number[1] + number[2] + number[3] + number[4] < 200
+array big[4]   = [few ? 0.6 : 0.4, few ? 0.6 : 0.4, few ? 0.8 : 0.7, 2.0]
 array legend[4] = ['miss a limit', 'keep all limits', 'Pareto front', 'best']
 # Which of the four blocks are there, and which block of the data each is.
 array place[4]

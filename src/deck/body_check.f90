@@ -1,7 +1,12 @@
 !> Is a card of a body deck what its layout says? Every field is looked at and every fault said.
 module deck_body_check
+    use base_constants, only: degrees, vertical_slope
+    use base_decimal, only: to_real
+    use base_digits, only: fixed
+    use base_exact, only: is_equal
     use base_fault, only: fault_list_type
-    use base_text, only: to_text
+    use base_kinds, only: dp
+    use base_text, only: compact, to_text
     use deck_body_card, only: blame, blame_inside, blame_span, card_type, field_count, field_text, &
         warn
     use deck_body_crowd, only: check_surplus
@@ -163,14 +168,32 @@ contains
 
         text = field_text(card, number)
         value = number_in(text, field%form == form%whole)
-        if (value%first == 0) return
-        if (begins_as_word(text)) then
+        if (value%first == 0) then
+            call check_slope(card, field, number, to_real(value%value), faults)
+        else if (begins_as_word(text)) then
             call blame(card, number, trim(field%name)//' is a number, not the word '//text, faults)
         else
             call blame_inside(card, number, value%first, value%last, &
                 trim(field%name)//': '//value%trouble, faults)
         end if
     end subroutine check_number
+
+    !> Warns of a slope that looks like degrees: a whole number from 10 on that is not vertical.
+    pure subroutine check_slope(card, field, number, slope, faults)
+        type(card_type), intent(in) :: card             !! the card
+        type(body_field_type), intent(in) :: field      !! layout of the field
+        integer, intent(in) :: number                   !! which field of the card
+        real(dp), intent(in) :: slope                   !! its number
+        type(fault_list_type), intent(inout) :: faults  !! gets the warning
+        real(dp), parameter :: least = 10.0_dp
+
+        if (all(field%unit /= ['dy/dx  ', 'dWL/dBL']) .or. field%need == need%optional) return
+        if (abs(slope) < least .or. abs(slope) >= vertical_slope) return
+        if (.not. is_equal(slope, anint(slope))) return
+        call warn(card, number, trim(field%name)//' is '//trim(field%unit)//', not degrees: '// &
+            compact(slope)//' is a direction of '//trim(adjustl(fixed(degrees*atan(slope), 12, &
+            3)))//' degrees; a vertical one is 999.999', faults)
+    end subroutine check_slope
 
     !> Looks at a field that must be a name.
     pure subroutine check_name(card, field, number, faults)

@@ -196,7 +196,7 @@ contains
         else if (item%points%kind == 0) then
             call blame(item%card, field%step, &
                 'STEP is missing, and no POINTS card before says how the points of such a cut '// &
-                'are spread', faults)
+                'are spread, as POINTS NUMBER 25 does', faults)
         end if
     end subroutine take_step
 

@@ -14,6 +14,15 @@ program test_body_check
 
     call same(body_card%line, 'LINE    MHB     SIDE', '', 'a sound card has no fault')
     call same(body_card%section, 'SECTION,UP,A,B,C,0.,999.999', '', 'optional fields may be blank')
+    call same(body_card%section, 'SECTION,UP,A,B,C,90.,11.43', &
+        '1:18-20 warning: S1 is dWL/dBL, not degrees: 90. is a direction of 89.363 degrees; '// &
+        'a vertical one is 999.999|', &
+        'a slope that looks like degrees is warned of, a steep one is not')
+    call same(body_card%rho, 'RHO,0.,0.,-10.,5.,8.,999.,.5', '1:11-14 warning: S1 is dy/dx, '// &
+        'not degrees: -10. is a direction of -84.289 degrees; a vertical one is 999.999|'// &
+        '1:22-25 warning: S3 is dy/dx, not degrees: 999. is a direction of 89.943 degrees; '// &
+        'a vertical one is 999.999|', 'so is one of a line, and one that is not quite vertical')
+    call same(body_card%point, '0.,0.,20.', '', 'a weight of 20 is none')
     call missing()
     call wrong()
     call too_much()

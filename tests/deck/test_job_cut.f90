@@ -125,7 +125,8 @@ contains
         end associate
         call same('POINTS,WL,1|WATERLN,0', &
             '8:10-10 error: STEP is missing, and no POINTS card before says '// &
-            'how the points of such a cut are spread|', 'a waterline can''t be stepped along WL')
+            'how the points of such a cut are spread, as POINTS NUMBER 25 does|', &
+            'a waterline can''t be stepped along WL')
     end subroutine points
 
     !> What is found wrong with cards from line 7 on; no cut comes of the last.
