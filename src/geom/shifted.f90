@@ -10,7 +10,7 @@ module geom_shifted
     use base_kinds, only: dp
     use geom_arc, only: arc_type, end_type
     use geom_arc_rows, only: coordinates, places_type, terms_of, terms_type
-    use geom_lapack, only: solve
+    use geom_square_system, only: solve
     use geom_twofold_same, only: exact_difference, rows_at_once
     implicit none (type, external)
     private

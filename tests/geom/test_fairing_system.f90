@@ -5,7 +5,7 @@ program test_fairing_system
     use geom_fairing, only: fair, faired_energy, fairing_type
     use geom_fairing_system, only: fairing_data_type, fairing_end, form_area, new_system, &
         solve_system, spline_area, spline_energy, system_type, vertices_of
-    use geom_lapack, only: solve
+    use geom_square_system, only: solve
     use support_inlet, only: inlet
     use support_tap, only: tap_type
     implicit none (type, external)
