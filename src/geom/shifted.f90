@@ -7,11 +7,12 @@
 !> slopes. For a vertical tangent the slope row is its limit on division by s, `0, x, 2 y, 0, 1, 0`.
 module geom_shifted
     use base_error, only: error_type
-    use base_kinds, only: dp
+    use base_kinds, only: dp, i128
     use geom_arc, only: arc_type, end_type
-    use geom_arc_rows, only: coordinates, places_type, terms_of, terms_type
     use geom_square_system, only: solve
-    use geom_twofold_same, only: exact_difference, rows_at_once
+    use geom_twofold, only: operator(*), operator(+), twofold, twofold_type
+    use geom_twofold_same, only: operator(*), operator(+), operator(/), rows_at_once, rows_type, &
+        to_real
     implicit none (type, external)
     private
 
@@ -24,10 +25,9 @@ module geom_shifted
         real(dp) :: rcond = 0.0_dp          !! reciprocal condition of the system, equilibrated
     end type shifted_type
 
-    !> Places of an arc at which it is compared.
-    integer, parameter :: compared = 25
-    !> 1 and 0 in every row.
-    real(dp), parameter :: whole(rows_at_once) = 1.0_dp, nothing(rows_at_once) = 0.0_dp
+    !> Places of an arc at which it is compared: its ends, and between them those of the parameters
+    !> 1/24 to 23/24, rounded to doubles, the last of them twice to fill its rows.
+    integer, parameter :: compared = 26, inner = compared - 2
 
 contains
 
@@ -72,43 +72,87 @@ contains
     pure real(dp) function difference_from(conic, arc) result(largest)
         type(shifted_type), intent(in) :: conic !! the conic of the same card
         type(arc_type), intent(in) :: arc       !! the arc
-        real(dp), dimension(rows_at_once) :: t, x, y
-        type(places_type) :: places
-        type(terms_type) :: terms
-        integer :: i, first
+        real(dp), dimension(compared) :: x, y
+        integer :: first
 
-        largest = 0.0_dp
-        call take_distance(conic, arc%start, largest)
-        call take_distance(conic, arc%finish, largest)
-        do first = 1, compared - 2, rows_at_once
-            t = [(real(min(first + i, compared - 2), dp)/real(compared - 1, dp), &
-                i=0, rows_at_once - 1)]
-            places%alpha = exact_difference(whole, t)
-            places%beta = exact_difference(t, nothing)
-            terms = terms_of(arc, places)
-            x = coordinates(arc, 1, terms)
-            y = coordinates(arc, 2, terms)
-            do i = 1, min(rows_at_once, compared - 1 - first)
-                call take_distance(conic, [x(i), y(i)], largest)
-            end do
+        x(inner + 1:) = [arc%start(1), arc%finish(1)]
+        y(inner + 1:) = [arc%start(2), arc%finish(2)]
+        do first = 1, inner, rows_at_once
+            call put_points(arc, first, x(first:first + rows_at_once - 1), &
+                y(first:first + rows_at_once - 1))
         end do
+        largest = largest_distance(conic, x, y)
     end function difference_from
 
-    !> Takes the distance of a point from a shifted conic, |F|/|grad F|, where it is the largest.
-    pure subroutine take_distance(conic, at, largest)
-        type(shifted_type), intent(in) :: conic !! the conic
-        real(dp), intent(in) :: at(2)           !! x and y, deck units, unshifted
-        real(dp), intent(inout) :: largest      !! of some points, deck units
-        real(dp) :: p(2), gradient(2), value
+    !> The points of an arc at some of the inner places, `m + (2 a b g + (b**2 - a**2) h)/D` as in
+    !> `geom_arc`, deck units. All that does not depend on the arc is worked by the compiler, with
+    !> the shares b = t and a = 1 - t as whole numbers of 2**-57, which they are exactly.
+    pure subroutine put_points(arc, first, x, y)
+        type(arc_type), intent(in) :: arc           !! any arc
+        integer, intent(in) :: first                !! the first place
+        real(dp), intent(out) :: x(rows_at_once)    !! of this place and those behind it
+        real(dp), intent(out) :: y(rows_at_once)    !! so too
+        integer :: i
+        integer, parameter :: bits = 57
+        integer(i128), parameter :: b(inner) = [(int(2.0_dp**bits*(real(min(i, inner - 1), dp)/ &
+            real(inner, dp)), i128), i=1, inner)], a(inner) = 2_i128**bits - b
+        ! 2 a b, b**2 - a**2 = b - a, and (b - a)**2, in units of 2**-114.
+        integer(i128), parameter :: share(inner, 3) = reshape([2_i128*a*b, &
+            (b - a)*2_i128**bits, (b - a)**2], [inner, 3])
+        real(dp), parameter :: unit = 2.0_dp**(-2*bits), high(inner, 3) = real(share, dp), &
+            low(inner, 3) = real(share - int(high, i128), dp)
+        type(rows_type) :: bulging, along, under
 
-        p = at + conic%shift
+        bulging = shares(1)
+        along = shares(2)
+        under = shares(3) + bulging*arc%fullness
+        under = rows_type(1.0_dp, 0.0_dp)/under
+        x = coordinate(1)
+        y = coordinate(2)
+    contains
+        !> One of the terms above.
+        pure type(rows_type) function shares(term)
+            integer, intent(in) :: term !! which
+            shares%high = unit*high(first:first + rows_at_once - 1, term)
+            shares%low = unit*low(first:first + rows_at_once - 1, term)
+        end function shares
+
+        !> One coordinate.
+        pure function coordinate(axis)
+            integer, intent(in) :: axis !! 1: x, 2: y
+            real(dp) :: coordinate(rows_at_once)
+            type(twofold_type) :: half
+
+            half = arc%size*arc%half(axis)
+            coordinate = to_real((twofold(arc%start(axis)) + half) + &
+                (bulging*(arc%size*arc%bulge(axis)) + along*half)*under)
+        end function coordinate
+    end subroutine put_points
+
+    !> The largest distance of some points from a shifted conic, |F|/|grad F|.
+    pure real(dp) function largest_distance(conic, x, y) result(largest)
+        type(shifted_type), intent(in) :: conic !! the conic
+        real(dp), intent(in) :: x(compared)     !! of the points, deck units, unshifted
+        real(dp), intent(in) :: y(compared)     !! so too
+        real(dp), dimension(compared) :: value, run, rise
+        real(dp) :: p, q
+        integer :: i
+
         associate (k => conic%coefficient)
-            gradient = [2.0_dp*k(1)*p(1) + k(2)*p(2) + k(4), k(2)*p(1) + 2.0_dp*k(3)*p(2) + k(5)]
-            value = abs(dot_product(k, point_row(p)) + 1.0_dp)
+            do i = 1, compared
+                p = x(i) + conic%shift
+                q = y(i) + conic%shift
+                run(i) = 2.0_dp*k(1)*p + k(2)*q + k(4)
+                rise(i) = k(2)*p + 2.0_dp*k(3)*q + k(5)
+                value(i) = abs((k(1)*p**2 + k(2)*(p*q) + k(3)*q**2 + k(4)*p + k(5)*q) + 1.0_dp)
+            end do
         end associate
-        ! No gradient is shorter than its longer part: most points are nearer for sure.
-        if (value > 0.999_dp*largest*maxval(abs(gradient))) &
-            largest = max(largest, value/norm2(gradient))
-    end subroutine take_distance
+        largest = 0.0_dp
+        do i = 1, compared
+            ! No gradient is shorter than its longer part: most points are nearer for sure.
+            if (value(i) > 0.999_dp*largest*max(abs(run(i)), abs(rise(i)))) &
+                largest = max(largest, value(i)/norm2([run(i), rise(i)]))
+        end do
+    end function largest_distance
 
 end module geom_shifted
