@@ -23,7 +23,7 @@ module app_run_conics
     public :: run_conics
 
     !> Cards read before any is computed, at most; as many as a block of the source has.
-    integer, parameter :: most_cards = 1024
+    integer, parameter :: most_cards = 128
     !> Fewer cards than this are computed by one thread.
     integer, parameter :: least_shared = 8
 
