@@ -18,7 +18,7 @@ module geom_arc
     use base_kinds, only: dp
     use geom_arc_fault, only: check_apart, explain_flat, explain_no_arc
     use geom_triangle, only: corner_of, end_type, has_arc, is_flat, is_straight, new_triangle, &
-        triangle_type, weight_of
+        triangle_type
     use geom_twofold, only: operator(*), operator(+), operator(-), to_real, twofold, twofold_type
     use geom_vector, only: dot
     implicit none (type, external)
@@ -76,14 +76,12 @@ contains
     !> The arc of a control triangle that has one.
     pure type(arc_type) function curved(triangle) result(arc)
         type(triangle_type), intent(in) :: triangle !! not flat
-        type(twofold_type) :: w
 
-        w = weight_of(triangle)
         arc = framed(triangle)
         call corner_of(triangle, arc%leaving, arc%arriving)
-        arc%fullness = w + 1.0_dp
-        arc%bulge(1) = arc%leaving(1) - w*arc%half(1)
-        arc%bulge(2) = arc%leaving(2) - w*arc%half(2)
+        arc%fullness = triangle%weight + 1.0_dp
+        arc%bulge(1) = arc%leaving(1) - triangle%weight*arc%half(1)
+        arc%bulge(2) = arc%leaving(2) - triangle%weight*arc%half(2)
         arc%start_tangent = forward(triangle%start%tangent, arc%leaving)
         arc%finish_tangent = forward(triangle%finish%tangent, arc%arriving)
     end function curved

@@ -22,7 +22,7 @@ module geom_triangle
     private
 
     public :: end_type, triangle_type, new_triangle, rounding
-    public :: is_flat, is_straight, has_arc, weight_of, corner_of
+    public :: is_flat, is_straight, has_arc, corner_of
 
     !> An end of an arc.
     type :: end_type
@@ -47,6 +47,9 @@ module geom_triangle
         type(twofold_type) :: chord_off_start  !! c x t1
         type(twofold_type) :: chord_off_finish !! t3 x c
         type(twofold_type) :: tangents         !! t1 x t3
+        logical :: is_within = .false.         !! the shoulder is within both tangents, else no more
+        type(twofold_type) :: root             !! sqrt(b0 b2), mean of the shares of the two ends
+        type(twofold_type) :: weight           !! of the conic
     end type triangle_type
 
 contains
@@ -76,7 +79,19 @@ contains
         it%chord_off_start = cross(it%chord, it%t1)
         it%chord_off_finish = -cross(it%chord, it%t3)
         it%tangents = cross(twofold(it%t1), it%t3)
+        it%is_within = same_sign(it%off_start, it%chord_off_start) .and. &
+            same_sign(it%off_finish, it%chord_off_finish)
+        if (it%is_within) call put_weight(it)
     end function new_triangle
+
+    !> The weight of the conic, `w = b1/(2 sqrt(b0 b2))` with b0 and b2 above zero; b1 is
+    !> `(s x c)(t1 x t3)/((c x t1)(t3 x c))`, which keeps its figures near zero.
+    pure subroutine put_weight(it)
+        type(triangle_type), intent(inout) :: it !! its shoulder is within both tangents
+        it%root = sqrt(it%off_start/it%chord_off_start)*sqrt(it%off_finish/it%chord_off_finish)
+        it%weight = (it%off_chord/it%chord_off_start)*(it%tangents/it%chord_off_finish) &
+            /(2.0_dp*it%root)
+    end subroutine put_weight
 
     !> How far points may miss each other, or a line, because binary can't hold their decimals; near
     !> zero, the least number held to full length, for nothing shorter can be measured by ratios.
@@ -132,10 +147,8 @@ contains
         type(twofold_type) :: fullness
 
         has_arc = .false.
-        if (is_zero(it%off_chord%high)) return
-        if (.not. same_sign(it%off_start, it%chord_off_start)) return
-        if (.not. same_sign(it%off_finish, it%chord_off_finish)) return
-        fullness = weight_of(it) + 1.0_dp
+        if (is_zero(it%off_chord%high) .or. .not. it%is_within) return
+        fullness = it%weight + 1.0_dp
         has_arc = fullness%high > 0.0_dp
     end function has_arc
 
@@ -147,20 +160,6 @@ contains
             .or. (a%high < 0.0_dp .and. b%high < 0.0_dp)
     end function same_sign
 
-    !> The weight of the conic, `w = b1/(2 sqrt(b0 b2))` with b0 and b2 above zero; b1 is
-    !> `(s x c)(t1 x t3)/((c x t1)(t3 x c))`, which keeps its figures near zero.
-    pure type(twofold_type) function weight_of(it) result(w)
-        type(triangle_type), intent(in) :: it !! a control triangle, shoulder within both tangents
-        w = (it%off_chord/it%chord_off_start)*(it%tangents/it%chord_off_finish) &
-            /(2.0_dp*root_of_shares(it))
-    end function weight_of
-
-    !> `sqrt(b0 b2)`, the geometric mean of the shares of the two ends in the shoulder point.
-    pure type(twofold_type) function root_of_shares(it) result(root)
-        type(triangle_type), intent(in) :: it !! a control triangle, shoulder within both tangents
-        root = sqrt(it%off_start/it%chord_off_start)*sqrt(it%off_finish/it%chord_off_finish)
-    end function root_of_shares
-
     !> The end tangents of the arc as control vectors: `leaving` is the weight times the way from
     !> the start to the intersection of the end tangents, `arriving` from there to the finish.
     !> Both are finite also where the tangents are parallel and the weight is zero, and both point
@@ -171,7 +170,7 @@ contains
         type(twofold_type), intent(out) :: arriving(2)     !! at the finish, in `size`
         type(twofold_type) :: bulge
 
-        bulge = it%off_chord/(2.0_dp*root_of_shares(it))
+        bulge = it%off_chord/(2.0_dp*it%root)
         leaving = along(-(bulge/it%chord_off_start), it%t1)
         arriving = along(-(bulge/it%chord_off_finish), it%t3)
     end subroutine corner_of
