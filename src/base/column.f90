@@ -23,18 +23,19 @@ contains
     !> `last` of the i-th row. What stands in front of a number stays, but for blanks that fill at
     !> least four columns before its point; the row must have as many columns as the number needs.
     pure subroutine put_column(units, decimals, last, width, text)
-        integer(i64), intent(in) :: units(:)    !! the numbers
+        integer(i64), intent(in), contiguous :: units(:) !! the numbers
         integer, intent(in) :: decimals         !! figures behind the point, 4 to 8
         integer, intent(in) :: last             !! column of the last figure, `decimals` + 9 or more
         integer, intent(in) :: width            !! columns of a row
         character(*), intent(inout) :: text     !! the rows, one after the other
         integer(i64), parameter :: splits(four:2*four) = 10_i64**int([0, 1, 2, 3, 4], i64)
-        integer(i64) :: whole, upper, split, place
+        integer(i64) :: whole, upper, split, place, end
         integer :: i
 
         split = splits(decimals)
+        end = int(last, i64)
         do i = 1, size(units)
-            place = int((i - 1)*width + last, i64)
+            place = end
             upper = abs(units(i))
             whole = upper/groups
             text(place - 3:place) = group(upper - whole*groups)
@@ -58,8 +59,9 @@ contains
                 text(place - 5:place - 5) = '-'
                 text(place - 4:place - 1) = group(whole)
             else
-                call put_units(abs(units(i)), units(i) < 0, decimals, text, (i - 1)*width + last)
+                call put_units(abs(units(i)), units(i) < 0, decimals, text, int(end))
             end if
+            end = end + int(width, i64)
         end do
     end subroutine put_column
 
