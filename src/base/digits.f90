@@ -6,7 +6,7 @@
 !> is a tie or next to one, the figures are worked exactly.
 module base_digits
     use base_exact, only: is_finite
-    use base_figures, only: figure_count, put_text, put_units, put_whole
+    use base_figures, only: figure_count, put_padded, put_text, put_units
     use base_kinds, only: dp, i128, i64
     use base_rounding, only: figures_of, units_of
     use base_shortest, only: put_power, put_shortest, shortest_length
@@ -86,29 +86,21 @@ contains
         character(*), intent(inout) :: line !! has figures + 7 columns from there on
         integer, intent(inout) :: next      !! the first column; behind the last on return
         integer(i64) :: units
-        integer :: power, i
+        integer :: power
 
         if (.not. is_finite(value)) then
             call put_text('NaN', line, next)
             return
         end if
         if (value < 0.0_dp) call put_text('-', line, next)
-        if (abs(value) > 0.0_dp) then
-            call figures_of(abs(value), figures, units, power)
-            next = next + 1
-            call put_whole(units, line, next)
-            power = power + figures - 1
-        else
-            power = 0
-            do i = 0, figures
-                call put_text('0', line, next)
-            end do
-        end if
-        associate (point => next - figures)
-            line(point - 1:point - 1) = line(point:point)
-            line(point:point) = '.'
-        end associate
-        call put_power('E', power, line, next)
+        units = 0
+        power = 1 - figures
+        if (abs(value) > 0.0_dp) call figures_of(abs(value), figures, units, power)
+        call put_padded(units, line(next + 1:next + figures))
+        line(next:next) = line(next + 1:next + 1)
+        line(next + 1:next + 1) = '.'
+        next = next + figures + 1
+        call put_power('E', power + figures - 1, line, next)
     end subroutine put_scientific
 
     !> The fewest figures that read back as the same double: `-30`, `0.1`, `1e-07`.

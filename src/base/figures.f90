@@ -9,7 +9,7 @@ module base_figures
     implicit none (type, external)
     private
 
-    public :: put_units, put_whole, put_text, figure_count
+    public :: put_units, put_whole, put_padded, put_text, figure_count
 
     !> Figures worked at a time, and 10**8.
     integer, parameter :: eight = 8
@@ -114,19 +114,25 @@ contains
         integer(i64), intent(in) :: number  !! not negative
         character(*), intent(inout) :: line !! gets the figures
         integer, intent(inout) :: next      !! the first column; behind the last on return
-        character(3*eight) :: text
         integer :: count
-
-        call put_eight(mod(number, ten_to_eight), text, 3*eight)
-        count = eight
-        if (number >= ten_to_eight) then
-            call put_eight(mod(number/ten_to_eight, ten_to_eight), text, 2*eight)
-            call put_eight(number/ten_to_eight/ten_to_eight, text, eight)
-        end if
         count = figure_count(number)
-        line(next:next + count - 1) = text(3*eight - count + 1:)
+        call put_padded(number, line(next:next + count - 1))
         next = next + count
     end subroutine put_whole
+
+    !> Fills a field with a number, zeros in front.
+    pure subroutine put_padded(number, field)
+        integer(i64), intent(in) :: number      !! not negative, no longer than the field
+        character(*), intent(inout) :: field    !! of 24 columns at most; gets the figures
+        character(3*eight) :: text
+        integer(i64) :: upper
+
+        upper = number/ten_to_eight
+        call put_eight(number - upper*ten_to_eight, text, 3*eight)
+        if (len(field) > eight) call put_eight(mod(upper, ten_to_eight), text, 2*eight)
+        if (len(field) > 2*eight) call put_eight(upper/ten_to_eight, text, eight)
+        field = text(len(text) - len(field) + 1:)
+    end subroutine put_padded
 
     !> Writes a text, from a column on.
     pure subroutine put_text(text, line, next)

@@ -67,8 +67,19 @@ contains
     subroutine line(out, text)
         class(output_type), intent(inout) :: out !! the output
         character(*), intent(in) :: text         !! the line
-        call out%put(text)
-        call out%put(new_line('a'))
+        integer(i64) :: length
+
+        length = len(text, i64) + 1
+        call make_room(out, length)
+        if (allocated(out%trouble)) return
+        if (length > len(out%buffer, i64) - out%used) then
+            call out%put(text)
+            call out%put(new_line('a'))
+        else
+            out%buffer(out%used + 1:out%used + length - 1) = text
+            out%used = out%used + length
+            out%buffer(out%used:out%used) = new_line('a')
+        end if
     end subroutine line
 
     !> Puts lines without the blanks at their ends.

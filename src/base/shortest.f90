@@ -1,7 +1,7 @@
 !> The fewest figures that read back as the same double, written into the columns of a line.
 module base_shortest
     use base_exact, only: is_finite
-    use base_figures, only: put_text, put_whole
+    use base_figures, only: put_padded, put_text, put_whole
     use base_kinds, only: dp, i64
     use base_rounding, only: shortest_figures
     implicit none (type, external)
@@ -101,22 +101,18 @@ contains
         integer, intent(in) :: power        !! power of ten, -999 to 999
         character(*), intent(inout) :: line !! gets it
         integer, intent(inout) :: next      !! the first column; behind the last on return
-        character(5) :: text
-        integer :: used
+        integer(i64) :: size
 
-        used = merge(5, 4, abs(power) >= 100)
-        text(1:1) = letter
-        text(2:2) = merge('-', '+', power < 0)
-        text(3:3) = figure(abs(power)/100)
-        text(used - 1:used - 1) = figure(mod(abs(power)/10, 10))
-        text(used:used) = figure(mod(abs(power), 10))
-        call put_text(text(:used), line, next)
+        line(next:next) = letter
+        line(next + 1:next + 1) = merge('-', '+', power < 0)
+        size = int(abs(power), i64)
+        next = next + 2
+        if (size < 100) then
+            call put_padded(size, line(next:next + 1))
+            next = next + 2
+        else
+            call put_whole(size, line, next)
+        end if
     end subroutine put_power
-
-    !> A figure.
-    elemental character function figure(number)
-        integer, intent(in) :: number !! 0 to 9
-        figure = achar(iachar('0') + number)
-    end function figure
 
 end module base_shortest

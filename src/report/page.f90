@@ -30,7 +30,7 @@ module report_page
         integer :: lines = page_lines           !! of a page
         integer :: used = widest_page*page_lines !! lines of this one filled; none is begun
         integer :: heads = 0                    !! lines of column heading in force
-        character(widest_page) :: head(most_heads)
+        character(widest_page) :: head(most_heads) = '' !! these
         integer(i64) :: filled(most_heads) = 0  !! columns of each, without blanks at its end
     contains
         procedure :: set_heading
@@ -162,6 +162,7 @@ contains
         call page%keep(out, size(head) + 2)
         page%heads = size(head)
         do i = 1, page%heads
+            if (page%head(i) == head(i)) cycle
             page%head(i) = printable(head(i))
             page%filled(i) = len_trim(page%head(i), i64)
         end do
