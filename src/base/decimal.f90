@@ -50,7 +50,12 @@ contains
     !> The double nearest to a decimal.
     elemental real(dp) function decimal_to_real(d) result(x)
         type(decimal_type), intent(in) :: d !! any decimal
-        x = scaled_real(int(d%digits, i128), d%power)
+        ! What most fields hold, without a number of 128 bits.
+        if (abs(d%digits) < 2_i64**53 .and. d%power <= 0 .and. d%power >= -exact_powers) then
+            x = real(d%digits, dp)/tens(-d%power)
+        else
+            x = scaled_real(int(d%digits, i128), d%power)
+        end if
     end function decimal_to_real
 
     !> Puts start and step on a common power of ten.

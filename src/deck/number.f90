@@ -5,6 +5,7 @@ module deck_number
     use base_decimal, only: decimal_type, largest_power
     use base_kinds, only: i64
     use base_text, only: to_text, upper
+    use deck_plain_number, only: most_figures, read_plain
     implicit none (type, external)
     private
 
@@ -22,8 +23,6 @@ module deck_number
         character(:), allocatable :: trouble    !! what is wrong with it
     end type number_type
 
-    !> Figures that a number may have.
-    integer, parameter :: most_figures = 18
     !> Capital letters.
     character(*), parameter :: letters = 'ABCDEFGHIJKLMNOPQRSTUVWXYZ'
     !> Exponents are gathered no further than this.
@@ -64,12 +63,16 @@ contains
         type(number_type) :: number
         type(state_type) :: state
         integer :: i, first, last
+        logical :: is_plain
 
         last = len_trim(field)
         number%is_blank = last == 0
         if (number%is_blank) return
-        first = verify(field, ' ')
         state%is_whole = implied < 0
+        call read_plain(field, state%is_whole, number%value, is_plain)
+        number%has_point = is_plain .and. .not. state%is_whole
+        if (is_plain) return
+        first = verify(field, ' ')
         do i = 1, len(field)
             call take(number, state, field, i)
             if (number%first > 0) return
