@@ -1,21 +1,17 @@
 !> A 1970 deck made ready for export: the arc of each card as a curve.
 module app_export_conics
+    use app_card_arcs, only: card_arc_type, read_card_arcs
     use app_export_choice, only: choose_cuts
     use app_export_parts, only: begin_parts, parts_type
     use app_export_request, only: request_type
     use app_input, only: deck_input_type
     use base_error, only: error_type
-    use base_fault, only: fault_list_type
     use base_output, only: output_type
     use base_text, only: to_text
-    use body_card_arc, only: arc_of_card
-    use deck_conic_card, only: conic_card_type
-    use deck_conic_deck, only: conic_deck_type, found
+    use deck_control_card, only: heading_type
     use export_drawing, only: shape_type
     use export_drawing_card, only: draw_card
     use export_drawing_name, only: make_unique, safe_name
-    use geom_arc, only: arc_type
-    use report_fault, only: print_faults
     implicit none (type, external)
     private
 
@@ -32,51 +28,36 @@ contains
         type(parts_type), intent(out) :: parts              !! gets the curves as cuts
         type(output_type), intent(inout) :: messages        !! diagnostics
         type(error_type), allocatable, intent(out) :: error !! see above
-        type(conic_deck_type) :: deck
-        type(conic_card_type) :: card
-        type(fault_list_type) :: faults
-        integer :: outcome
+        type(card_arc_type), allocatable :: list(:)
+        type(heading_type) :: heading
+        integer :: i
 
-        deck%heading = input%opening%heading
         call begin_parts(deck_name, '', 'INCHES', parts)
-        do
-            call deck%next(input%source, card, outcome, faults, error)
-            if (allocated(error)) then
-                error%message = input%name//': '//error%message
-                return
-            end if
-            if (outcome == found%conic) call take_card(card, parts, faults)
-            call print_faults(faults, input%name, .false., messages)
-            parts%is_faulty = parts%is_faulty .or. faults%has_errors(0)
-            call faults%clear()
-            if (outcome == found%finished) exit
+        call read_card_arcs(input, heading, list, parts%is_faulty, messages, error)
+        if (allocated(error)) return
+        deallocate (parts%drawing%cuts)
+        allocate (parts%drawing%cuts(size(list)))
+        do i = 1, size(list)
+            call draw(list(i), parts%drawing%cuts(i))
         end do
-        if (allocated(deck%heading%title)) parts%drawing%title = deck%heading%title
-        if (allocated(deck%heading%units)) parts%drawing%units = deck%heading%units
+        if (allocated(heading%title)) parts%drawing%title = heading%title
+        if (allocated(heading%units)) parts%drawing%units = heading%units
         call make_unique(parts%drawing)
     end subroutine read_conics
 
-    !> Adds the arc of a card.
-    subroutine take_card(card, parts, faults)
-        type(conic_card_type), intent(in) :: card           !! the card, sound or not
-        type(parts_type), intent(inout) :: parts            !! gets the curve
-        type(fault_list_type), intent(inout) :: faults      !! what is wrong is added
-        type(arc_type) :: arc
-        type(shape_type) :: shape
+    !> Draws the arc of a card.
+    pure subroutine draw(item, shape)
+        type(card_arc_type), intent(in) :: item !! a card with its arc
+        type(shape_type), intent(out) :: shape  !! its curve
         character(:), allocatable :: title
         integer :: number
-        logical :: has_arc
 
-        if (.not. card%is_readable .or. card%has_coinciding_points()) return
-        call arc_of_card(card, arc, has_arc, faults)
-        if (.not. has_arc) return
-        number = int(card%count)
-        title = card%label
+        number = int(item%card%count)
+        title = item%card%label
         if (title == '') title = 'CARD '//to_text(number)
-        call draw_card(arc, number, safe_name(title), shape)
+        call draw_card(item%arc, number, safe_name(title), shape)
         shape%title = title
-        parts%drawing%cuts = [parts%drawing%cuts, shape]
-    end subroutine take_card
+    end subroutine draw
 
     !> Leaves the cards that are wanted: by number among the data cards, by the comment before it,
     !> or by its name in the file.

@@ -2,19 +2,15 @@
 !> decides: SIDE, PLAN, or STA, STATION or SECTION as a word of its own, in any case and the first
 !> of these in this order. All other cards share a picture.
 module app_pictures
+    use app_card_arcs, only: card_arc_type, read_card_arcs
     use app_files, only: base_name
     use app_input, only: deck_input_type
     use base_error, only: error_type
-    use base_fault, only: fault_list_type
     use base_output, only: output_type
     use base_text, only: to_text, upper
-    use body_card_arc, only: arc_of_card
-    use deck_conic_card, only: conic_card_type
-    use deck_conic_deck, only: conic_deck_type, found
     use deck_control_card, only: heading_type
     use deck_layout, only: conic
     use export_picture, only: curve_type, picture_type
-    use report_fault, only: print_faults
     implicit none (type, external)
     private
 
@@ -35,46 +31,29 @@ contains
         logical, intent(out) :: is_faulty                   !! a card was in error
         type(output_type), intent(inout) :: messages        !! diagnostics
         type(error_type), allocatable, intent(out) :: error !! see above
-        type(conic_deck_type) :: deck
-        type(conic_card_type) :: card
-        type(fault_list_type) :: faults
-        integer :: outcome
+        type(card_arc_type), allocatable :: list(:)
+        type(heading_type) :: heading
+        integer :: i
 
-        is_faulty = .false.
-        deck%heading = input%opening%heading
-        do
-            call deck%next(input%source, card, outcome, faults, error)
-            if (allocated(error)) then
-                error%message = input%name//': '//error%message
-                return
-            end if
-            if (outcome == found%conic) call take_card(card, pictures, faults)
-            call print_faults(faults, input%name, .false., messages)
-            is_faulty = is_faulty .or. faults%has_errors(0)
-            call faults%clear()
-            if (outcome == found%finished) exit
+        call read_card_arcs(input, heading, list, is_faulty, messages, error)
+        if (allocated(error)) return
+        do i = 1, size(list)
+            call pictures(picture_of(list(i)%card%label))%add(curve_of(list(i)))
         end do
-        call name_pictures(deck%heading, input%name, pictures)
+        call name_pictures(heading, input%name, pictures)
     end subroutine read_pictures
 
-    !> Puts the arc of a card on its picture.
-    subroutine take_card(card, pictures, faults)
-        type(conic_card_type), intent(in) :: card            !! the card, sound or not
-        type(picture_type), intent(inout) :: pictures(:)     !! gets the curve
-        type(fault_list_type), intent(inout) :: faults       !! what is wrong is added
-        type(curve_type) :: curve
-        logical :: has_arc
+    !> The arc of a card as a curve.
+    pure type(curve_type) function curve_of(item) result(curve)
+        type(card_arc_type), intent(in) :: item !! a card with its arc
 
-        if (.not. card%is_readable .or. card%has_coinciding_points()) return
-        call arc_of_card(card, curve%arc, has_arc, faults)
-        if (.not. has_arc) return
-        curve%name = card%label
-        if (curve%name == '') curve%name = 'card '//to_text(card%count)
-        curve%point(:, 1) = card%real([conic%x1, conic%y1])
-        curve%point(:, 2) = card%real([conic%x2, conic%y2])
-        curve%point(:, 3) = card%real([conic%x3, conic%y3])
-        call pictures(picture_of(card%label))%add(curve)
-    end subroutine take_card
+        curve%arc = item%arc
+        curve%name = item%card%label
+        if (curve%name == '') curve%name = 'card '//to_text(item%card%count)
+        curve%point(:, 1) = item%card%real([conic%x1, conic%y1])
+        curve%point(:, 2) = item%card%real([conic%x2, conic%y2])
+        curve%point(:, 3) = item%card%real([conic%x3, conic%y3])
+    end function curve_of
 
     !> The picture that a card of some name is in.
     pure integer function picture_of(name)
