@@ -276,6 +276,17 @@ ok $? 'SIGINT ends loft export by that signal, and nothing is changed' "$(seen; 
 [ -z "$(find . -name '*.part*')" ]
 ok $? 'no unfinished file is left' "$(find . -name '*.part*')"
 
+# --- many cards -------------------------------------------------------------------------------------
+
+# A sheet of PDF or a layer of DXF for each of many cards: time goes with their number, not with its square.
+awk 'BEGIN { for (i = 1; i <= 4000; i++) { print "* CARD " i
+    print "-30.0   -10.0   .114    0.0     -7.1    50.0    -4.0    .0523   5.0" } }' > many.crd
+for ending in pdf dxf svg; do
+    (ulimit -t 30; export_deck many.crd -o many.$ending; exit "$status") && [ -s many.$ending.receipt ]
+    ok $? "four thousand cards as $ending take no longer than they may" "$(ls -l many.*)"
+done
+rm many.*
+
 # --- progress -----------------------------------------------------------------------------------
 
 if ! script -qec true /dev/null > /dev/null 2>&1; then

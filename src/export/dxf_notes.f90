@@ -5,7 +5,7 @@ module export_dxf_notes
     use base_kinds, only: dp, i64
     use base_text, only: compact, counted, upper
     use export_drawing, only: contour_type, drawing_type
-    use export_dxf_page, only: add_words, page_type, stroke_type, words_side
+    use export_dxf_page, only: add_words, page_type, stroke_type, words_side, words_type
     use export_pattern_number, only: bevel_text
     use export_settings, only: settings_type
     use export_units, only: unit_type
@@ -17,6 +17,8 @@ module export_dxf_notes
     !> In heights of letters: from the shapes to the first note, from note to note, the length of a
     !> bevel's tick and from its foot to its figures.
     real(dp), parameter :: below = 8.0_dp, line_height = 2.0_dp, tick = 1.0_dp, beyond = 2.0_dp
+    !> Notes at most besides those of the cuts.
+    integer, parameter :: most_notes = 7
 
 contains
 
@@ -27,37 +29,47 @@ contains
         type(unit_type), intent(in) :: unit         !! of it
         type(settings_type), intent(in) :: settings !! as asked for
         character(*), intent(in) :: layers(:)       !! of the cuts
-        integer :: i
+        type(words_type), allocatable :: notes(:)
+        real(dp) :: down
+        integer :: i, count
 
-        if (drawing%title /= '') call note(page, drawing%title)
-        call note(page, 'DECK '//drawing%deck)
-        call note(page, 'ALL DIMENSIONS IN '//trim(unit%name))
-        call note(page, 'WITHIN '//compact(settings%tolerance)//' '//trim(unit%short)// &
-            ' OF THE EXACT SHAPE')
+        allocate (notes(most_notes + size(drawing%cuts)))
+        count = 0
+        if (drawing%title /= '') call put_note(drawing%title, notes, count)
+        call put_note('DECK '//drawing%deck, notes, count)
+        call put_note('ALL DIMENSIONS IN '//trim(unit%name), notes, count)
+        call put_note('WITHIN '//compact(settings%tolerance)//' '//trim(unit%short)// &
+            ' OF THE EXACT SHAPE', notes, count)
         if (settings%is_in_space) then
-            call note(page, 'IN SPACE: X IS STA, Y IS BL, Z IS WL')
+            call put_note('IN SPACE: X IS STA, Y IS BL, Z IS WL', notes, count)
         else
-            call note(page, 'TRUE SHAPES AT A COMMON ORIGIN, EACH CUT ON ITS OWN LAYER')
+            call put_note('TRUE SHAPES AT A COMMON ORIGIN, EACH CUT ON ITS OWN LAYER', notes, count)
         end if
         if (settings%is_half .and. any(drawing%cuts%is_half)) &
-            call note(page, 'HALVES: THE OTHER HALF IS THE MIRROR IMAGE IN BL 0')
+            call put_note('HALVES: THE OTHER HALF IS THE MIRROR IMAGE IN BL 0', notes, count)
         do i = 1, size(drawing%cuts)
             associate (cut => drawing%cuts(i))
-                call note(page, 'LAYER '//trim(layers(i))//': '//cut%title//', '// &
-                    upper(counted(int(cut%quantity, i64), 'piece')))
+                call put_note('LAYER '//trim(layers(i))//': '//cut%title//', '// &
+                    upper(counted(int(cut%quantity, i64), 'piece')), notes, count)
             end associate
         end do
-        call note(page, 'LOFT '//version)
+        call put_note('LOFT '//version, notes, count)
+        page%words = notes(:count)
+        do i = 1, count
+            down = (below + line_height*real(i - 1, dp))*page%height
+            page%words(i)%at = page%low - [0.0_dp, down]
+        end do
     end subroutine add_notes
 
-    !> Adds a note below those that there are.
-    pure subroutine note(page, text)
-        type(page_type), intent(inout) :: page      !! gets it
-        character(*), intent(in) :: text            !! any bytes
-        real(dp) :: down
-        down = (below + line_height*real(size(page%words), dp))*page%height
-        call add_words(page%words, page%low - [0.0_dp, down], words_side%left, text)
-    end subroutine note
+    !> Puts a note behind others; where it stands is not said yet.
+    pure subroutine put_note(text, notes, count)
+        character(*), intent(in) :: text                !! any bytes
+        type(words_type), intent(inout) :: notes(:)     !! have room for it
+        integer, intent(inout) :: count                 !! how many there are
+        count = count + 1
+        notes(count)%side = words_side%left
+        notes(count)%text = text
+    end subroutine put_note
 
     !> Adds the bevels along a contour: a tick across it and the degrees beside it.
     pure subroutine add_bevels(page, contour)

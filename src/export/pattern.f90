@@ -98,16 +98,21 @@ contains
         character(*), intent(in) :: heading                     !! of the deck
         type(page_type), allocatable, intent(out) :: pages(:)   !! in order
         type(page_type), allocatable :: more(:), grown(:)
-        integer :: i
+        integer :: i, count
 
-        allocate (pages(0))
+        allocate (pages(size(sheets)))
+        count = 0
         do i = 1, size(sheets)
             call print_sheet(sheets(i), paper, heading, more)
-            allocate (grown(size(pages) + size(more)))
-            grown(:size(pages)) = pages
-            grown(size(pages) + 1:) = more
-            call move_alloc(grown, pages)
+            if (count + size(more) > size(pages)) then
+                allocate (grown(2*(count + size(more))))
+                grown(:count) = pages(:count)
+                call move_alloc(grown, pages)
+            end if
+            pages(count + 1:count + size(more)) = more
+            count = count + size(more)
         end do
+        pages = pages(:count)
     end subroutine make_pages
 
     !> Makes the pages of a sheet: tiles, or one that fits.

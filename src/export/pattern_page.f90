@@ -66,8 +66,9 @@ module export_pattern_page
         real(dp) :: size(2) = 0.0_dp                !! width and height, in
         logical :: is_clipped = .false.             !! parts are seen within the window only
         real(dp) :: window(4) = 0.0_dp              !! left, bottom, right, top, in
-        type(group_type), allocatable :: groups(:)  !! the parts
-        type(item_type), allocatable :: items(:)    !! in the order of drawing
+        type(group_type), allocatable :: groups(:)  !! the parts, `groups(1:group_count)`
+        integer :: group_count = 0                  !! how many there are
+        type(item_type), allocatable :: items(:)    !! in the order of drawing, `items(1:count)`
         integer :: count = 0                        !! how many there are
         integer :: group = 0                        !! that items are put to
     contains
@@ -153,13 +154,16 @@ contains
         character(*), intent(in) :: title           !! any bytes
         type(group_type), allocatable :: grown(:)
 
-        if (.not. allocated(page%groups)) allocate (page%groups(0))
-        page%group = size(page%groups) + 1
-        allocate (grown(page%group))
-        grown(:page%group - 1) = page%groups
-        grown(page%group)%name = name
-        grown(page%group)%title = title
-        call move_alloc(grown, page%groups)
+        if (.not. allocated(page%groups)) allocate (page%groups(4))
+        if (page%group_count == size(page%groups)) then
+            allocate (grown(2*page%group_count))
+            grown(:page%group_count) = page%groups
+            call move_alloc(grown, page%groups)
+        end if
+        page%group_count = page%group_count + 1
+        page%group = page%group_count
+        page%groups(page%group)%name = name
+        page%groups(page%group)%title = title
     end subroutine open_group
 
     !> Ends a part: what follows belongs to the sheet.
@@ -178,13 +182,10 @@ contains
         type(item_type) :: item
         integer :: first, i
 
-        first = 0
-        if (allocated(page%groups)) first = size(page%groups)
-        if (allocated(other%groups)) then
-            do i = 1, size(other%groups)
-                call page%open_group(other%groups(i)%name, other%groups(i)%title)
-            end do
-        end if
+        first = page%group_count
+        do i = 1, other%group_count
+            call page%open_group(other%groups(i)%name, other%groups(i)%title)
+        end do
         call page%close_group()
         do i = 1, other%count
             item = other%items(i)

@@ -98,6 +98,7 @@ contains
         shift = shift_of(tiling, tile)
         page%window = window + [shift, shift]
         page%groups = sheet%groups
+        page%group_count = sheet%group_count
         do i = 1, sheet%count
             call add_within(page, sheet%items(i), window, shift)
         end do

@@ -48,7 +48,7 @@ program test_pattern
     settings%is_each = .false.
     call lay_out(drawing, settings, pages, receipt, error)
     call tap%ok(size(pages) == 1, 'all on one sheet')
-    call tap%ok(size(pages(1)%groups) == 2, 'each a part of its own')
+    call tap%ok(pages(1)%group_count == 2, 'each a part of its own')
     settings%paper = 'letter'
     call lay_out(drawing, settings, pages, receipt, error)
     call tap%ok(size(pages) > 3 .and. all(abs(pages(2)%size - [8.5_dp, 11.0_dp]) < 1.0e-12_dp .or. &

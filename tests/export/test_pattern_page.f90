@@ -29,7 +29,7 @@ program test_pattern_page
     call sheet%open_group('A', 'A')
     call sheet%close_group()
     call sheet%place(page, [10.0_dp, 20.0_dp], .true.)
-    call tap%ok(size(sheet%groups) == 2 .and. all(sheet%items(:3)%group == [2, 2, 0]), &
+    call tap%ok(sheet%group_count == 2 .and. all(sheet%items(:3)%group == [2, 2, 0]), &
         'a page placed on another brings its parts')
     call tap%same(sheet%groups(2)%title, 'STATION 20', 'with their titles')
     call tap%ok(all(abs(sheet%items(2)%at - reshape([12.0_dp, 20.0_dp, 10.0_dp, 24.0_dp], [2, 2])) &

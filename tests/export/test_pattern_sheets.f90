@@ -25,7 +25,7 @@ program test_pattern_sheets
     call tap%ok(size(sheets) == 3, 'a sheet for each')
     call tap%same(sheets(2)%name//sheets(2)%label, 'BB', 'is named for its part')
     call make_sheets(parts, .false., fitted, sheets)
-    call tap%ok(size(sheets) == 1 .and. size(sheets(1)%groups) == 3, 'or all on one')
+    call tap%ok(size(sheets) == 1 .and. sheets(1)%group_count == 3, 'or all on one')
     call tap%same(sheets(1)%name, 'sheet-1', 'which has a name of its own')
     page = fitted_page(sheets(1), fitted, 'A DECK')
     box = bounds_of(page)
@@ -49,7 +49,7 @@ program test_pattern_sheets
     parts(3) = part('TOO WIDE', [40.0_dp, 25.0_dp])
     parts(2) = part('B', [10.0_dp, 12.0_dp])
     call make_sheets(parts, .false., roll, sheets)
-    call tap%ok(size(sheets) == 2 .and. size(sheets(1)%groups) == 2, &
+    call tap%ok(size(sheets) == 2 .and. sheets(1)%group_count == 2, &
         'what is too wide either way has a sheet of its own')
     call tap%ok(all(abs(sheets(2)%size - [25.0_dp, 40.0_dp]) < 1.0e-12_dp), &
         'with its longer side along the roll')
