@@ -42,19 +42,33 @@ contains
         type(error_type), allocatable :: error
         type(cut_type) :: none(0)
         real(dp) :: low(3), high(3)
-        integer :: i
 
         if (size(computed%body%sections) > 0) then
             call find_corners([computed%body], none, low, high)
         else
-            low = 0.0_dp
-            high = maxval([(maxval(computed%panels(i)%surface%pole) &
-                - minval(computed%panels(i)%surface%pole), i = 1, size(computed%panels))])
+            call find_hull(computed%panels, low, high)
         end if
         call cut_skin(computed%body, computed%panels, closely(request, maxval(high - low)), &
             shape, error)
         if (allocated(error)) shape = cut
     end function shape_of
+
+    !> The corners of the room that panels take: that of their poles.
+    pure subroutine find_hull(panels, low, high)
+        type(panel_type), intent(in) :: panels(:)   !! any
+        real(dp), intent(out) :: low(3)             !! least STA, BL and WL, deck units
+        real(dp), intent(out) :: high(3)            !! greatest, deck units
+        integer :: i, axis
+
+        low = huge(1.0_dp)
+        high = -huge(1.0_dp)
+        do i = 1, size(panels)
+            do axis = 1, 3
+                low(axis) = min(low(axis), minval(panels(i)%surface%pole(axis, :, :)))
+                high(axis) = max(high(axis), maxval(panels(i)%surface%pole(axis, :, :)))
+            end do
+        end do
+    end subroutine find_hull
 
     !> True where two planes are one.
     pure logical function is_same(first, second)

@@ -34,5 +34,31 @@ program test_plot_shape
     if (size(shape%patched) == 1) call tap%ok(size(shape%patched(1)%points) >= 5, 'closely')
     call tap%ok(is_same(station_plane(4.0_dp), station_plane(4.0_dp)), 'one plane')
     call tap%ok(.not. is_same(station_plane(4.0_dp), buttock_plane(4.0_dp)), 'two planes')
+    call tap%ok(points_at(0.0_dp) == points_at(5000.0_dp) .and. points_at(0.0_dp) > 12, &
+        'a duct has as many points wherever its stations begin')
     call tap%finish()
+
+contains
+
+    !> Points of the shape of a duct that begins at a station.
+    integer function points_at(sta) result(count)
+        real(dp), intent(in) :: sta !! deck units
+        character(*), parameter :: ring = '|5.,0.|0.,5.|-5.,0.|0.,-5.|'
+        type(job_type) :: job
+        type(fault_list_type) :: faults
+        type(computed_body_type) :: computed
+        type(request_type) :: request
+        type(cut_type) :: shape
+        character(8) :: first, last
+
+        write (first, '(f8.1)') sta
+        write (last, '(f8.1)') sta + 10.0_dp
+        call job_of('FAIRED,A,'//first//ring//'FAIRED,B,'//last//ring//'DUCT,D,A,B', job, faults)
+        call cut_body(job, 1, computed, faults)
+        request%plane = station_plane(sta + 5.0_dp)
+        shape = shape_of(computed, request, shape)
+        count = 0
+        if (allocated(shape%patched)) count = size(shape%patched(1)%points)
+    end function points_at
+
 end program test_plot_shape
