@@ -1,6 +1,7 @@
 !> A body: control lines and the sections that they carry.
 module body_body
     use base_kinds, only: dp
+    use base_order, only: rising
     use body_line, only: line_type
     use body_section, only: limit_section, section_joints, section_type, trace_at, trace_type
     use deck_job, only: name_length
@@ -8,7 +9,7 @@ module body_body
     implicit none (type, external)
     private
 
-    public :: body_type, finish_body, mirrored_body, smooth_stops
+    public :: body_type, finish_body, mirrored_body, is_image, smooth_stops
 
     !> A body, in deck units.
     type :: body_type
@@ -147,20 +148,23 @@ contains
         whole%is_symmetric = .false.
     end function mirrored_body
 
+    !> True for the port half of a section of BOTH sides: its original stands right before it.
+    pure logical function is_image(body, number)
+        type(body_type), intent(in) :: body !! any
+        integer, intent(in) :: number       !! which of its sections
+        is_image = body%sections(number)%is_port
+        if (number == 1) is_image = .false.
+        if (is_image) is_image = .not. body%sections(number - 1)%is_port .and. &
+            body%sections(number - 1)%name == body%sections(number)%name
+    end function is_image
+
     !> The stations between which the lines of a section are smooth: its range and the joints
     !> inside, in order, each once.
     pure function smooth_stops(body, section) result(stops)
         type(body_type), intent(in) :: body         !! finished
         type(section_type), intent(in) :: section   !! one of its sections
-        real(dp), allocatable :: stops(:), joints(:)
-
-        allocate (joints(0))
-        joints = section_joints(body%lines, section)
-        stops = [section%from]
-        do while (any(joints > stops(size(stops))))
-            stops = [stops, minval(joints, mask=joints > stops(size(stops)))]
-        end do
-        stops = [stops, section%to]
+        real(dp), allocatable :: stops(:)
+        stops = [section%from, rising(section_joints(body%lines, section)), section%to]
     end function smooth_stops
 
 end module body_body

@@ -3,7 +3,7 @@
 module body_gap_faults
     use base_fault, only: fault_list_type
     use base_text, only: compact
-    use body_body, only: body_type
+    use body_body, only: body_type, is_image
     use body_gap, only: gap_type, section_gaps, section_turns
     use deck_body_card, only: blame, warn
     use deck_job, only: asked_body_type => body_type
@@ -14,7 +14,7 @@ module body_gap_faults
 
 contains
 
-    !> Reports where a section has no conic though its lines are there.
+    !> Reports where a section has no conic though its lines are there; of one of BOTH sides once.
     pure subroutine report_gaps(asked, body, faults)
         type(asked_body_type), intent(in) :: asked              !! as the deck has it
         type(body_type), intent(in) :: body                     !! as built
@@ -23,6 +23,7 @@ contains
         integer :: i, j, k
 
         do i = 1, size(body%sections)
+            if (is_image(body, i)) cycle
             gaps = section_gaps(body, body%sections(i))
             do j = 1, size(asked%section)
                 if (asked%section(j)%name /= body%sections(i)%name) cycle
@@ -36,7 +37,7 @@ contains
         end do
     end subroutine report_gaps
 
-    !> Warns of a section whose conic turns by more than 180 degrees.
+    !> Warns of a section whose conic turns by more than 180 degrees; of one of BOTH sides once.
     pure subroutine warn_of_turns(asked, body, faults)
         type(asked_body_type), intent(in) :: asked              !! as the deck has it
         type(body_type), intent(in) :: body                     !! as built
@@ -45,6 +46,7 @@ contains
         integer :: i, j, k
 
         do i = 1, size(body%sections)
+            if (is_image(body, i)) cycle
             turns = section_turns(body, body%sections(i))
             j = findloc(asked%section%name, body%sections(i)%name, dim=1)
             do k = 1, size(turns)

@@ -4,7 +4,7 @@ module cut_note
     use base_kinds, only: dp, i64
     use base_text, only: compact, compact_length
     use base_tolerances, only: agreement_tolerance, agreement_ulps, ulp
-    use body_body, only: body_type, smooth_stops
+    use body_body, only: body_type, is_image, smooth_stops
     use body_gap, only: gap_type, has_arc, section_gaps
     use body_section, only: section_type, trace_at, trace_type
     use cut_meeting, only: edge_height, height_noise, is_across
@@ -18,8 +18,8 @@ module cut_note
 
 contains
 
-    !> Notes of the sections at the stations asked: gaps, which are errors, and parts that lie in
-    !> the plane as a whole, of which there is no outline.
+    !> Notes of the sections at the stations asked: gaps, which are errors, those of a section of
+    !> BOTH sides once; and parts that lie in the plane as a whole, of which there is no outline.
     pure subroutine note_sections(body, plane, asked, notes)
         type(body_type), intent(in) :: body                         !! finished
         type(plane_type), intent(in) :: plane                       !! any plane
@@ -35,7 +35,7 @@ contains
             associate (section => body%sections(i))
                 if (is_across(plane) .and. has_arc(body, section, plane%through(1))) cycle
                 gaps = section_gaps(body, section)
-                do k = 1, size(gaps)
+                do k = 1, merge(0, size(gaps), is_image(body, i))
                     if (gaps(k)%from > asked(2) .or. gaps(k)%to < asked(1)) cycle
                     if (.not. comes_near(body, section, plane, [max(gaps(k)%from, asked(1)), &
                         min(gaps(k)%to, asked(2))])) cycle

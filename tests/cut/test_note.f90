@@ -64,6 +64,13 @@ contains
             'section S does not exist from station 5. to 10.') == 1, &
             'which says where')
         call tap%near(cut%outlines(1)%points(3)%at(1), 5.0_dp, 1.0e-6_dp, 'the outline ends there')
+        body%sections = [body%sections, body%sections]
+        body%sections(2)%is_port = .true.
+        body%is_symmetric = .false.
+        call finish_body(body)
+        cut = cut_of(body, by_number(waterline_plane(0.75_dp), 3))
+        call tap%ok(size(cut%notes) == 1 .and. size(cut%outlines) == 2, &
+            'of a section of both sides it is said once')
     end subroutine check_gap
 
     !> A disagreement is an error where it is more than rounding.
