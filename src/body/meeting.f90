@@ -1,6 +1,7 @@
 !> Where two control lines meet in space: the stations at which both have the same BL and WL.
 module body_meeting
     use base_kinds, only: dp
+    use base_order, only: rising
     use body_line, only: line_point, line_type
     use geom_chain, only: chain_joints
     use geom_zeros, only: function_type, sample_points, zeros_of
@@ -8,6 +9,9 @@ module body_meeting
     private
 
     public :: meetings_of, nearest_gap
+
+    !> The part of the gap within which two lines touch along an axis.
+    real(dp), parameter :: touch = 1.0e-3_dp
 
     !> The difference of two lines along one axis.
     type, extends(function_type) :: difference_type
@@ -31,7 +35,7 @@ contains
         real(dp), allocatable :: candidates(:), stops(:)
         type(difference_type) :: along
         real(dp) :: next
-        integer :: i
+        integer :: i, k
 
         allocate (meetings(0))
         if (.not. range(1) <= range(2)) return
@@ -42,13 +46,13 @@ contains
         along%second = second
         do i = 1, size(stops) - 1
             along%axis = 1
-            candidates = [candidates, zeros_of(along, stops(i), stops(i + 1), 1.0e-3_dp*gap)]
+            candidates = [candidates, zeros_of(along, stops(i), stops(i + 1), touch*gap)]
             along%axis = 2
-            candidates = [candidates, zeros_of(along, stops(i), stops(i + 1), 1.0e-3_dp*gap)]
+            candidates = [candidates, zeros_of(along, stops(i), stops(i + 1), touch*gap)]
         end do
-        next = -huge(1.0_dp)
-        do while (any(candidates > next))
-            next = minval(candidates, mask=candidates > next)
+        candidates = rising(candidates)
+        do k = 1, size(candidates)
+            next = candidates(k)
             if (distance(first, second, next) > gap) cycle
             if (size(meetings) > 0) then
                 if (all_near(meetings(size(meetings)), next)) then
@@ -81,11 +85,7 @@ contains
         joints = [chain_joints(first%side), chain_joints(second%side)]
         if (first%has_plan) joints = [joints, chain_joints(first%plan)]
         if (second%has_plan) joints = [joints, chain_joints(second%plan)]
-        stops = [range(1)]
-        do while (any(joints > stops(size(stops)) .and. joints < range(2)))
-            stops = [stops, minval(joints, mask=joints > stops(size(stops)))]
-        end do
-        if (range(2) > range(1)) stops = [stops, range(2)]
+        stops = rising([range, pack(joints, joints > range(1) .and. joints < range(2))])
     end function stops_of
 
     !> The station of a range where two lines are nearest to each other, among its samples, and how

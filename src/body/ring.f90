@@ -6,6 +6,7 @@
 !> stations; the largest break is that of the stations looked at.
 module body_ring
     use base_kinds, only: dp
+    use base_order, only: rising
     use body_body, only: body_type, smooth_stops
     use body_gap, only: gap_type, section_gaps
     use body_ring_end, only: break_between, break_in_mirror, ends_at, is_centred, &
@@ -48,11 +49,7 @@ contains
             gaps = section_gaps(body, body%sections(i))
             all = [all, smooth_stops(body, body%sections(i)), gaps%from, gaps%to]
         end do
-        if (size(all) == 0) return
-        stops = [minval(all)]
-        do while (any(all > stops(size(stops))))
-            stops = [stops, minval(all, mask=all > stops(size(stops)))]
-        end do
+        stops = rising(all)
     end function all_stops
 
     !> Goes through a stretch between two stops.

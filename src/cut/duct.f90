@@ -2,7 +2,9 @@
 !> duct, never of half of it; of one that has a mirror image, without that.
 module cut_duct
     use base_error, only: error_type
+    use base_exact, only: is_equal
     use base_kinds, only: dp
+    use base_order, only: rising
     use body_duct, only: duct_type
     use cut_faired, only: ring_length
     use geom_fairing_system, only: spline_area
@@ -35,20 +37,17 @@ contains
     pure type(duct_measure_type) function measure_duct(duct, stations) result(measure)
         type(duct_type), intent(in) :: duct         !! as built
         real(dp), intent(in) :: stations(:)         !! in any order, deck units
-        type(duct_section_type) :: section
-        real(dp) :: next
-        integer :: last
+        real(dp), allocatable :: sta(:)
+        integer :: i
 
-        allocate (measure%section(0))
+        allocate (sta(0))
         associate (ends => duct%outline%sta)
-            last = size(ends)
-            next = ends(1)
-            do
-                call measure_duct_at(duct, next, section)
-                section%outline = findloc(abs(ends - next) <= 0.0_dp, .true., dim=1)
-                measure%section = [measure%section, section]
-                if (next >= ends(last)) exit
-                next = min(minval(stations, mask=stations > next), minval(ends, mask=ends > next))
+            sta = rising([ends, pack(stations, stations > ends(1) .and. &
+                stations < ends(size(ends)))])
+            allocate (measure%section(size(sta)))
+            do i = 1, size(sta)
+                call measure_duct_at(duct, sta(i), measure%section(i))
+                measure%section(i)%outline = findloc(is_equal(ends, sta(i)), .true., dim=1)
             end do
         end associate
         measure%volume = ring_loft_volume(duct%loft)

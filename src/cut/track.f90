@@ -4,6 +4,7 @@
 module cut_track
     use base_error, only: error_type
     use base_kinds, only: dp
+    use base_order, only: rising
     use body_body, only: body_type, smooth_stops
     use body_gap, only: gap_type, section_gaps
     use body_section, only: section_arc, section_type
@@ -54,20 +55,17 @@ contains
         type(body_type), intent(in) :: body         !! finished
         type(section_type), intent(in) :: section   !! one of its sections
         real(dp), intent(in) :: limit(2)            !! least and greatest station asked, deck units
-        real(dp), allocatable :: stops(:), all_stops(:)
+        real(dp), allocatable :: stops(:)
         type(gap_type), allocatable :: gaps(:)
         real(dp) :: from, to
 
-        allocate (stops(0), all_stops(0), gaps(0))
+        allocate (stops(0), gaps(0))
         from = max(section%from, limit(1))
         to = min(section%to, limit(2))
         if (.not. from < to) return
         gaps = section_gaps(body, section)
-        all_stops = [smooth_stops(body, section), gaps%from, gaps%to, to]
-        stops = [from]
-        do while (stops(size(stops)) < to)
-            stops = [stops, minval(all_stops, mask=all_stops > stops(size(stops)))]
-        end do
+        stops = [from, smooth_stops(body, section), gaps%from, gaps%to, to]
+        stops = rising(pack(stops, stops >= from .and. stops <= to))
     end function limited_stops
 
     !> True where a section has an arc at a station.
@@ -167,8 +165,8 @@ contains
         if (track%lies(2) .and. is_finish(place)) edge = 2
     end function edge_of
 
-    !> The place of a track at a station. What happens at an end
-    !> of the track is known of the place exactly. `is_arc` is false where the section is a point.
+    !> The place of a track at a station; at an end of the track it is exactly the place of what
+    !> happens there. `is_arc` is false where the section is a point.
     pure subroutine place_on(body, plane, track, sta, place, is_arc)
         type(body_type), intent(in) :: body         !! finished
         type(plane_type), intent(in) :: plane       !! not across STA

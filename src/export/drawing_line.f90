@@ -3,6 +3,7 @@ module export_drawing_line
     use base_error, only: error_type
     use base_exact, only: is_equal
     use base_kinds, only: dp
+    use base_order, only: rising
     use base_tolerances, only: agreement_ulps, meeting_tolerance, ulp
     use body_line, only: line_type
     use cut_plane, only: buttock_plane
@@ -66,11 +67,8 @@ contains
         allocate (joints(0))
         joints = chain_joints(line%side)
         if (line%has_plan) joints = [joints, chain_joints(line%plan)]
-        joints = [pack(joints, joints > line%from .and. joints < line%to), line%to]
-        stops = [line%from]
-        do while (stops(size(stops)) < line%to)
-            stops = [stops, minval(joints, mask=joints > stops(size(stops)))]
-        end do
+        joints = pack(joints, joints > line%from .and. joints < line%to)
+        stops = rising([line%from, joints, line%to])
     end function stops_of
 
     !> Puts the curves of a line end to end; where they do not meet, as several contours.

@@ -6,6 +6,7 @@ module export_mesh_plan
     use base_digits, only: shortest
     use base_error, only: cause, error_type, fail
     use base_kinds, only: dp
+    use base_order, only: rising
     use base_text, only: compact
     use body_taylor, only: taylor_type
     use cut_measure_sheet, only: station_of
@@ -142,11 +143,7 @@ contains
         real(dp), intent(in) :: to          !! the greatest
         real(dp), allocatable :: sorted(:)
 
-        sorted = [from]
-        do while (any(numbers > sorted(size(sorted)) .and. numbers < to))
-            sorted = [sorted, minval(numbers, mask=numbers > sorted(size(sorted)))]
-        end do
-        sorted = [sorted, to]
+        sorted = [from, rising(pack(numbers, numbers > from .and. numbers < to)), to]
     end function in_order
 
     !> The parameters of stations of a stretch, by halving.

@@ -2,6 +2,7 @@
 !> has a joint of one of its lines, and where it loses and regains its conic.
 module export_shell_stops
     use base_kinds, only: dp
+    use base_order, only: rising
     use base_tolerances, only: decimal_noise, ulp
     use body_body, only: body_type, smooth_stops
     use body_gap, only: gap_type, section_gaps
@@ -44,7 +45,7 @@ contains
         type(body_type), intent(in) :: body     !! finished
         type(gap_type), intent(in) :: gaps(:)   !! of all sections
         real(dp), allocatable :: stops(:), known(:)
-        real(dp) :: next
+        real(dp) :: noise
         integer :: i
 
         allocate (known(0))
@@ -53,16 +54,11 @@ contains
             if (body%sections(i)%from < body%sections(i)%to) &
                 known = [known, smooth_stops(body, body%sections(i))]
         end do
-        stops = [real(dp) :: ]
-        if (size(known) == 0) return
-        stops = [minval(known)]
-        do while (any(known > stops(size(stops))))
-            next = minval(known, mask=known > stops(size(stops)))
-            if (next - stops(size(stops)) > stop_noise*ulp*maxval(abs(known))) then
-                stops = [stops, next]
-            else
-                where (known > stops(size(stops)) .and. known <= next) known = stops(1)
-            end if
+        known = rising(known)
+        noise = stop_noise*ulp*maxval(abs(known))
+        stops = known(:min(1, size(known)))
+        do i = 2, size(known)
+            if (known(i) - stops(size(stops)) > noise) stops = [stops, known(i)]
         end do
     end function stops_of
 

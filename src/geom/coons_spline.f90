@@ -12,6 +12,7 @@
 module geom_coons_spline
     use base_error, only: error_type
     use base_kinds, only: dp
+    use base_order, only: rising
     use geom_bicubic, only: twist_estimate
     use geom_bspline, only: bspline_type, spline_breaks, spline_jet
     use geom_bspline_surface, only: bspline_surface_type
@@ -208,15 +209,15 @@ contains
     pure function merged(first, second) result(breaks)
         real(dp), intent(in) :: first(:)    !! rising from 0 to 1
         real(dp), intent(in) :: second(:)   !! rising from 0 to 1
-        real(dp), allocatable :: breaks(:)
-        real(dp) :: next
+        real(dp), allocatable :: breaks(:), all(:)
+        integer :: i
 
         allocate (breaks(1), source=0.0_dp)
-        do
-            next = min(minval(first, mask=first > breaks(size(breaks)) + same_knot), &
-                minval(second, mask=second > breaks(size(breaks)) + same_knot))
-            if (.not. next < 1.0_dp - same_knot) exit
-            breaks = [breaks, next]
+        allocate (all(0))
+        all = rising([first, second])
+        do i = 1, size(all)
+            if (all(i) > breaks(size(breaks)) + same_knot .and. all(i) < 1.0_dp - same_knot) &
+                breaks = [breaks, all(i)]
         end do
         breaks = [breaks, 1.0_dp]
     end function merged
