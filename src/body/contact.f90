@@ -24,6 +24,8 @@ module body_contact
     real(dp), parameter :: small_step = 1.0e-6_dp
     !> A parameter nearer than this to an end is the end; steps less than it end the search.
     real(dp), parameter :: end_noise = 1.0e-11_dp, last_step = 1.0e-15_dp
+    !> Contacts this near to each other are one, deck units, however small the gap.
+    real(dp), parameter :: one_contact = 1.0e-6_dp
     !> Sine of the angle of two curves below which they run side by side.
     real(dp), parameter :: alongside = 1.0e-7_dp
 
@@ -42,7 +44,7 @@ contains
         do i = 1, size(all)
             if (all(i)%gap > gap) cycle
             do k = 1, size(contacts)
-                if (norm2(contacts(k)%at - all(i)%at) <= max(gap, 1.0e-6_dp)) exit
+                if (norm2(contacts(k)%at - all(i)%at) <= max(gap, one_contact)) exit
             end do
             if (k > size(contacts)) then
                 contacts = [contacts, all(i)]

@@ -15,6 +15,7 @@ module body_offset
     use body_surface, only: form_along, gradient_at, patch_at, patch_type
     use body_taylor, only: taylor_type
     use geom_arc, only: arc_type
+    use geom_space, only: across
     use geom_vector, only: cross
     implicit none (type, external)
     private
@@ -35,6 +36,10 @@ module body_offset
     integer, parameter :: stages = 8
     !> Newton steps of a stage; the last ones repeat what rounding allows.
     integer, parameter :: most_steps = 30
+    !> Steps along the normal that bring a point onto a conic.
+    integer, parameter :: foot_steps = 6
+    !> A step below this part of the thickness is rounding.
+    real(dp), parameter :: step_noise = 1.0e-9_dp
     !> How far beyond an edge of its section a point may be and still be of it, as a share.
     real(dp), parameter :: edge_noise = 1.0e-9_dp
 
@@ -56,7 +61,7 @@ contains
 
         foot%section = section
         foot%at = near
-        do i = 1, 6
+        do i = 1, foot_steps
             call look(body, section, foot%at(1), patch, is_there)
             if (.not. is_there) return
             gradient = gradient_at(patch, foot%at(2:))
@@ -107,7 +112,7 @@ contains
         foot%axes(thinnest, 1) = 1.0_dp
         foot%axes(:, 1) = foot%axes(:, 1) - foot%normal(thinnest)*foot%normal
         foot%axes(:, 1) = foot%axes(:, 1)/norm2(foot%axes(:, 1))
-        foot%axes(:, 2) = product_of(foot%normal, foot%axes(:, 1))
+        foot%axes(:, 2) = across(foot%normal, foot%axes(:, 1))
         form = form_along(patch, foot%at(2:), foot%normal)
         slope = form%first
         diagonal = [along(foot%axes(:, 1)), along(foot%axes(:, 2)), &
@@ -125,14 +130,6 @@ contains
             along = second%second/slope
         end function along
     end subroutine measure_bend
-
-    !> The vector product.
-    pure function product_of(a, b) result(c)
-        real(dp), intent(in) :: a(3) !! any vector
-        real(dp), intent(in) :: b(3) !! any vector
-        real(dp) :: c(3)
-        c = cshift(a, 1)*cshift(b, 2) - cshift(a, 2)*cshift(b, 1)
-    end function product_of
 
     !> Where a straight way from a point of the outside meets the inside. False where it does not on
     !> any section, or where the thickness reaches a radius of curvature on the way.
@@ -198,10 +195,10 @@ contains
             call foot_at(body, foot%section, foot%at + move, foot%normal, next, is_found)
             if (.not. is_found) return
             foot = next
-            if (norm2(move) >= 0.5_dp*least .and. least <= 1.0e-9_dp*thickness) exit
+            if (norm2(move) >= 0.5_dp*least .and. least <= step_noise*thickness) exit
             least = norm2(move)
         end do
-        is_found = least <= 1.0e-9_dp*thickness
+        is_found = least <= step_noise*thickness
     end subroutine settle_inside
 
     !> Newton's step of Q along the skin: Q - t n + (dQ - t W dQ) = from + s way.

@@ -23,6 +23,8 @@ module geom_cyclic
     !> Angles below which differences are worked by their series, radians, and its terms.
     real(dp), parameter :: small = 1.0_dp
     integer, parameter :: terms = 12
+    !> This near to pi M is worked by its series there, radians: the quotient loses its figures.
+    real(dp), parameter :: next_to_pi = 1.0e-4_dp
 
 contains
 
@@ -110,7 +112,7 @@ contains
         if (alpha >= small) then
             m = sin(alpha)*one_less_cosine(alpha) &
                 /(2.0_dp*sin(alpha) - alpha*(1.0_dp + cos(alpha)))
-            if (pi - alpha < 1.0e-4_dp) m = 1.0_dp + (pi - alpha)**2/12.0_dp
+            if (pi - alpha < next_to_pi) m = 1.0_dp + (pi - alpha)**2/12.0_dp
             return
         end if
         ! 2 sin a - a (1 + cos a) is the sum of (2 k - 1) a**(2 k + 1)/(2 k + 1)!, signs in turn.
