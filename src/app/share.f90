@@ -1,8 +1,7 @@
 !> Where LOFT finds the gnuplot scripts that came with it.
 module app_share
-    use, intrinsic :: iso_c_binding, only: c_char, c_size_t
     use base_error, only: cause, error_type, fail
-    use base_posix, only: c_readlink, c_text, longest_path
+    use base_posix, only: read_link
     implicit none (type, external)
     private
 
@@ -62,21 +61,15 @@ contains
     !> word it was called by, looked up in PATH as the shell did.
     function program_path() result(path)
         character(:), allocatable :: path
-        character(kind=c_char) :: letter(longest_path)
-        integer :: length, i
+        integer :: length
 
-        length = int(c_readlink(c_text('/proc/self/exe'), letter, int(longest_path, c_size_t)))
-        if (length > 0) then
-            allocate (character(length) :: path)
-            do i = 1, length
-                path(i:i) = letter(i)
-            end do
-        else
-            call get_command_argument(0, length=length)
-            allocate (character(length) :: path)
-            call get_command_argument(0, path)
-            if (index(path, '/') == 0) path = looked_up(path)
-        end if
+        call read_link('/proc/self/exe', path)
+        if (path /= '') return
+        call get_command_argument(0, length=length)
+        deallocate (path)
+        allocate (character(length) :: path)
+        call get_command_argument(0, path)
+        if (index(path, '/') == 0) path = looked_up(path)
     end function program_path
 
     !> A program in the folders of PATH; its bare name where it is in none.

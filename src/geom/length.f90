@@ -6,8 +6,7 @@
 !>     alpha = r + k s,    beta = k s,    r = 1 - s
 !>     |dp/ds| = 2 k |r**2 v1 + 2 r s k (v1 + h) + s**2 h|/(r**2 + r s/k + s**2)**2
 !>
-!> so that an almost whole ellipse is as smooth as a quarter. The parameter u of the whole arc is
-!> -1 at the start, 0 at the shoulder and 1 at the finish.
+!> so that an almost whole ellipse is as smooth as a quarter.
 !>
 !> Source: G. Farin, "Curves and Surfaces for CAGD", 5th ed., 12.4 (subdivision of a conic at its
 !> shoulder and return to standard form).
@@ -48,7 +47,14 @@ contains
         type(arc_type), intent(in) :: arc                   !! any arc
         real(dp), intent(out) :: length                     !! deck units
         type(error_type), allocatable, intent(out) :: error !! see above
-        call length_between(pace_of(arc), -1.0_dp, 1.0_dp, length, error)
+        type(pace_type) :: pace
+        real(dp) :: rest
+
+        pace = pace_of(arc)
+        call integrate(pace%first, 0.0_dp, 1.0_dp, quadrature_tolerance, length, error)
+        if (allocated(error)) return
+        call integrate(pace%second, 0.0_dp, 1.0_dp, quadrature_tolerance, rest, error)
+        length = length + rest
     end subroutine arc_length
 
     !> Places at equal lengths along an arc, both ends included: on each half by the length from its
@@ -97,23 +103,6 @@ contains
             places(i) = place_type(exact_sum(1.0_dp - s(i), share), twofold(share))
         end do
     end subroutine places_from_end
-
-    !> The length from one parameter to another, negative where it goes back.
-    pure subroutine length_between(pace, from, to, length, error)
-        type(pace_type), intent(in) :: pace               !! speeds on the arc
-        real(dp), intent(in) :: from                        !! parameter u, -1 to 1
-        real(dp), intent(in) :: to                          !! parameter u, -1 to 1
-        real(dp), intent(out) :: length                     !! deck units
-        type(error_type), allocatable, intent(out) :: error !! from quadrature
-        real(dp) :: part
-
-        call integrate(pace%first, 1.0_dp + min(from, 0.0_dp), 1.0_dp + min(to, 0.0_dp), &
-            quadrature_tolerance, length, error)
-        if (allocated(error)) return
-        call integrate(pace%second, 1.0_dp - max(to, 0.0_dp), 1.0_dp - max(from, 0.0_dp), &
-            quadrature_tolerance, part, error)
-        length = length + part
-    end subroutine length_between
 
     !> The speeds on both halves of an arc.
     pure type(pace_type) function pace_of(arc) result(pace)
