@@ -171,13 +171,13 @@ contains
         class(output_type), intent(inout) :: out !! an output with a descriptor
         character(*), intent(in) :: text         !! what to write
         integer(c_intptr_t) :: taken
-        integer :: done
+        integer(i64) :: done
 
         done = 0
-        do while (done < len(text) .and. .not. allocated(out%trouble))
-            taken = c_write(out%descriptor, text(done + 1:), int(len(text) - done, c_size_t))
+        do while (done < len(text, i64) .and. .not. allocated(out%trouble))
+            taken = c_write(out%descriptor, text(done + 1:), int(len(text, i64) - done, c_size_t))
             if (taken > 0) then
-                done = done + int(taken)
+                done = done + int(taken, i64)
             else if (taken == 0) then
                 out%trouble = 'no byte is taken'
             else if (.not. can_try_again(out%descriptor, to_write)) then

@@ -29,23 +29,35 @@ contains
     pure type(image_type) function new_image(text, targets) result(image)
         character(*), intent(in) :: text            !! all bytes of the file
         type(target_type), intent(in) :: targets(:) !! fields that vary
-        integer :: i, feed
+        integer :: line, first, length
 
         image%text = text
-        allocate (image%first(0), image%last(0))
-        i = 1
-        if (index(text, mark) == 1) i = 4
-        do while (i <= len(text))
-            feed = i - 1 + index(text(i:)//new_line('a'), new_line('a'))
-            image%first = [image%first, i]
-            image%last = [image%last, feed - 1]
-            if (feed > i) then
-                if (text(feed - 1:feed - 1) == achar(13)) image%last(size(image%last)) = feed - 2
+        allocate (image%first(count_lines(text)), image%last(count_lines(text)))
+        first = 1
+        if (index(text, mark) == 1) first = len(mark) + 1
+        do line = 1, size(image%first)
+            length = index(text(first:), new_line('a')) - 1
+            if (length < 0) length = len(text) - first + 1
+            image%first(line) = first
+            image%last(line) = first + length - 1
+            if (length > 0) then
+                if (text(first + length - 1:first + length - 1) == achar(13)) &
+                    image%last(line) = first + length - 2
             end if
-            i = feed + 1
+            first = first + length + 1
         end do
         allocate (image%target, source=in_order(targets))
     end function new_image
+
+    !> The lines of a text; what stands behind the last line feed is one, too.
+    pure integer function count_lines(text) result(lines)
+        character(*), intent(in) :: text !! all bytes of the file
+        integer :: i
+        lines = 0
+        do i = 1, len(text)
+            if (text(i:i) == new_line('a') .or. i == len(text)) lines = lines + 1
+        end do
+    end function count_lines
 
     !> Fields in the order of the deck, the last first, so that a change moves none still to come.
     pure function in_order(targets) result(ordered)
