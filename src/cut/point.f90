@@ -83,9 +83,8 @@ contains
     end function is_turn
 
     !> The unit tangent of a track, aft; zero where there is none, as where the plane touches the
-    !> skin. With N the outward normal and n
-    !> that of the plane it is N x n, which goes aft where the height over the plane rises along a
-    !> section whose outside is to the right.
+    !> skin. With N the outward normal of the skin and n that of the plane it is N x n, which goes
+    !> aft where the height over the plane rises along a section whose outside is to the right.
     pure function tangent_of(normal, plane, track, outward) result(way)
         real(dp), intent(in) :: normal(3)       !! outward unit normal of the skin, or zero
         type(plane_type), intent(in) :: plane   !! not across STA

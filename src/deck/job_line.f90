@@ -246,8 +246,8 @@ contains
                 if (open%pieces == 0 .and. open%is_sound .and. &
                     (given%origin == origin%pieces .or. by_points(given%origin))) then
                     call blame(given%card, 2, &
-                        'a LINE without data; its conics follow on data cards, or field 4 '// &
-                        'names another line or a constant', faults)
+                        'a LINE without data; its conics or points follow on data cards, or '// &
+                        'field 4 names another line or a constant', faults)
                     open%is_sound = .false.
                 end if
                 if (given%origin == origin%spline) call check_endings(open, faults)

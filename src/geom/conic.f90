@@ -32,6 +32,9 @@ module geom_conic
 
     !> The kinds by name: `case (conic_kind%parabola)`.
     type(kind_list), parameter, public :: conic_kind = kind_list()
+    !> The kinds in words.
+    character(9), parameter :: kind_names(5) = &
+        [character(9) :: 'ellipse', 'circle', 'parabola', 'hyperbola', 'line']
 
     !> A general equation of the second degree about an origin.
     type :: conic_type
@@ -40,9 +43,6 @@ module geom_conic
         integer :: kind = 0                 !! one of `conic_kind%...`
     end type conic_type
 
-    !> Their words.
-    character(9), parameter :: kind_names(5) = &
-        [character(9) :: 'ellipse', 'circle', 'parabola', 'hyperbola', 'line']
     !> A coefficient this small beside the largest is what cancelling terms left, and is zero.
     real(dp), parameter :: cancelled = ulp*type_tolerance
 

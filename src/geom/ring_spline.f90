@@ -96,9 +96,8 @@ contains
         about = vertex - spread(sum(vertex, dim=2)/real(size(vertex, 2), dp), 2, size(vertex, 2))
     end function centred
 
-    !> The centroid of the area within, deck units: by Green's theorem with
-    !> integrals of x (x dy - y dx)/3 and y (x dy - y dx)/3 about the mean vertex, exact but for
-    !> rounding.
+    !> The centroid of the area within, deck units: by Green's theorem, with the integrals of
+    !> x (x dy - y dx)/3 and y (x dy - y dx)/3 about the mean vertex, exact but for rounding.
     pure function ring_centroid(vertex) result(centroid)
         real(dp), intent(in) :: vertex(:, :)    !! deck units, shape (2, vertices); area not zero
         real(dp) :: centroid(2)

@@ -45,7 +45,7 @@ contains
         integer, intent(in) :: axis                                   !! 1: step x, 2: step y
         type(grid_type), intent(in) :: grid                           !! the stepped ordinates
         type(stretch_type), allocatable, intent(out) :: stretches(:)  !! in order along the arc
-        type(error_type), allocatable, intent(out) :: error           !! see `divide`
+        type(error_type), allocatable, intent(out) :: error           !! see above
         type(place_type), allocatable :: ends(:)
         type(stretch_type) :: found(most_stretches)
         real(dp) :: from, to, noise, last, span

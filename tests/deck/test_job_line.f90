@@ -138,7 +138,7 @@ contains
     subroutine bad_lines()
         call tap%same(faults_of('LINE,A,SIDE|LINE,B,SIDE,1'), &
             '1:6-6 error: a LINE without data; its '// &
-            'conics follow on data cards, or field 4 names another line or a constant|', &
+            'conics or points follow on data cards, or field 4 names another line or a constant|', &
             'a LINE without data')
         call tap%same(faults_of('LINE,A,SIDE,1|LINE,A,SIDE,2'), &
             '2:6-6 error: A has its SIDE already; '// &
@@ -201,7 +201,7 @@ contains
             'comma ends a field, and decimals have a point: 22.5|', &
             'a point cut short, and one too long')
         call tap%same(faults_of('LINE,A,SIDE,SPLINE'), '1:6-6 error: a LINE without data; its '// &
-            'conics follow on data cards, or field 4 names another line or a constant|', &
+            'conics or points follow on data cards, or field 4 names another line or a constant|', &
             'a spline without points')
         call tap%same(faults_of('LINE,A,SIDE,FAIR,0.|0,0|1,2,-1.|3,4'), '1:18-19 error: the '// &
             'weight of a FAIR line is above zero|3:5-7 error: a weight is zero or above|', &
