@@ -14,7 +14,7 @@ module cut_spread
     use cut_track, only: track_type
     use cut_walk, only: coordinate_type, parameter_of, point_at, speed_type, station_of
     use geom_spacing, only: new_scale, parameters_at, scale_type
-    use geom_zeros, only: sample_type, samples_of, zeros_among
+    use geom_zeros, only: brackets_among, sample_type, samples_of, zeros_between
     implicit none (type, external)
     private
 
@@ -89,8 +89,8 @@ contains
         type(error_type), allocatable, intent(out) :: error     !! see `stations_on`
         type(coordinate_type) :: along
         type(sample_type) :: known, sample
-        type(list_type) :: found
-        real(dp), allocatable :: levels(:)
+        type(list_type) :: places, passed
+        real(dp), allocatable :: levels(:), brackets(:, :)
         integer :: i
 
         along%body = body
@@ -100,13 +100,22 @@ contains
         known = samples_of(along, track%from%sta, track%to%sta)
         call steps_inside(request%grid, [minval(known%y), maxval(known%y)], levels, error)
         if (allocated(error)) return
+        allocate (brackets(2, 0))
         sample = known
         do i = 1, size(levels)
             along%level = levels(i)
             sample%y = known%y - levels(i)
-            call found%add(zeros_among(along, sample, 0.0_dp))
+            brackets = brackets_among(along, sample, 0.0_dp)
+            call places%add(reshape(brackets, [size(brackets)]))
+            call passed%add(spread(levels(i), 1, size(brackets, 2)))
         end do
-        stations = ascending(found%all())
+        levels = passed%all()
+        brackets = reshape(places%all(), [2, size(levels)])
+        deallocate (stations)
+        allocate (stations(size(levels)))
+        along%level = 0.0_dp
+        call zeros_between(along, brackets, levels, stations)
+        stations = ascending(stations)
     end subroutine crossings
 
     !> The stations inside that divide a track into equal lengths. Fails with `cause%too_many` and

@@ -7,12 +7,12 @@
 module geom_zeros
     use base_constants, only: pi
     use base_kinds, only: dp
-    use base_tolerances, only: ulp
+    use geom_zero_search, only: changes, narrow, new_search, search_type, zero_of
     implicit none (type, external)
     private
 
     public :: function_type, zeros_of, zero_between, sample_points, sample_type, samples_of
-    public :: zeros_among
+    public :: brackets_among, zeros_between
 
     !> Samples of an interval besides its ends: the nearest to an end is 1/4000 of the length
     !> from it, the widest apart are 1/40 of the length.
@@ -49,8 +49,8 @@ module geom_zeros
     real(dp), parameter :: hopeless = 1.0e3_dp
     !> Samples that differ by less than this part of their size show no extreme that reaches zero.
     real(dp), parameter :: level = 1.0e-6_dp
-    !> Halvings that take any interval of doubles to its last bit.
-    integer, parameter :: halvings = 1100
+    !> Zeros that are searched for together.
+    integer, parameter :: block = 512
 
 contains
 
@@ -63,8 +63,12 @@ contains
         real(dp), intent(in) :: to            !! upper end
         real(dp), intent(in) :: noise         !! magnitude that is nothing but round-off
         real(dp), allocatable :: zeros(:)
-        allocate (zeros(0))
-        zeros = zeros_among(f, samples_of(f, from, to), noise)
+        real(dp), allocatable :: brackets(:, :)
+        integer :: i
+
+        allocate (brackets(2, 0))
+        brackets = brackets_among(f, samples_of(f, from, to), noise)
+        zeros = [(zero_between(f, brackets(1, i), brackets(2, i)), i=1, size(brackets, 2))]
     end function zeros_of
 
     !> A function at the samples of an interval.
@@ -78,35 +82,49 @@ contains
         sample%y(samples + 2) = f%at(to)
     end function samples_of
 
-    !> What `zeros_of` says where the samples are known.
-    pure function zeros_among(f, sample, noise) result(zeros)
+    !> The places between which the zeros of `zeros_of` are, where the samples are known; an extreme
+    !> that is a zero stands twice.
+    pure function brackets_among(f, sample, noise) result(brackets)
         class(function_type), intent(in) :: f       !! the function
         type(sample_type), intent(in) :: sample     !! of it
         real(dp), intent(in) :: noise               !! magnitude that is nothing but round-off
-        real(dp), allocatable :: zeros(:)
-        real(dp) :: x(samples + 2), y(samples + 2), extreme
-        integer :: i, clear
+        real(dp), allocatable :: brackets(:, :)     !! shape (2, zeros)
+        real(dp) :: found(2, 3*samples), x(samples + 2), y(samples + 2), extreme
+        integer :: i, clear, count
 
-        allocate (zeros(0))
+        count = 0
         x = sample%x
         y = sample%y
-        if (all(abs(y) <= noise)) return
-        clear = findloc(abs(y) > noise, .true., dim=1)
-        call settle(y, noise)
-        if (changes(y(1), y(2))) zeros = [zero_between(f, x(1), x(2))]
-        if (abs(y(2)) > noise) clear = 2
-        do i = 3, size(x)
-            if (changes(y(i - 1), y(i))) zeros = [zeros, zero_between(f, x(clear), x(i))]
-            if (abs(y(i)) > noise) clear = i
-            if (.not. is_nearing(y(i - 2:i))) cycle
-            extreme = least_magnitude(f, x(i - 2), x(i), sign(1.0_dp, y(i)))
-            if (abs(f%at(extreme)) <= noise) then
-                zeros = [zeros, extreme]
-            else if (changes(y(i), f%at(extreme))) then
-                zeros = [zeros, zero_between(f, x(i - 2), extreme), zero_between(f, extreme, x(i))]
-            end if
-        end do
-    end function zeros_among
+        if (any(abs(y) > noise)) then
+            clear = findloc(abs(y) > noise, .true., dim=1)
+            call settle(y, noise)
+            if (changes(y(1), y(2))) call add(x(1), x(2), found, count)
+            if (abs(y(2)) > noise) clear = 2
+            do i = 3, size(x)
+                if (changes(y(i - 1), y(i))) call add(x(clear), x(i), found, count)
+                if (abs(y(i)) > noise) clear = i
+                if (.not. is_nearing(y(i - 2:i))) cycle
+                extreme = least_magnitude(f, x(i - 2), x(i), sign(1.0_dp, y(i)))
+                if (abs(f%at(extreme)) <= noise) then
+                    call add(extreme, extreme, found, count)
+                else if (changes(y(i), f%at(extreme))) then
+                    call add(x(i - 2), extreme, found, count)
+                    call add(extreme, x(i), found, count)
+                end if
+            end do
+        end if
+        brackets = found(:, :count)
+    end function brackets_among
+
+    !> Adds a pair of places.
+    pure subroutine add(from, to, brackets, count)
+        real(dp), intent(in) :: from                !! one
+        real(dp), intent(in) :: to                  !! the other
+        real(dp), intent(inout) :: brackets(:, :)   !! gets them
+        integer, intent(inout) :: count             !! of its pairs that are used
+        count = count + 1
+        brackets(:, count) = [from, to]
+    end subroutine add
 
     !> The values of a function.
     pure subroutine one_by_one(f, x, y)
@@ -142,13 +160,6 @@ contains
             x(i) = from + (to - from)*sin(0.5_dp*pi*real(i, dp)/real(samples + 1, dp))**2
         end do
     end function sample_points
-
-    !> True where two values have different signs, which zeros have, too.
-    elemental logical function changes(first, second)
-        real(dp), intent(in) :: first  !! a value
-        real(dp), intent(in) :: second !! the next
-        changes = sign(1.0_dp, first)*sign(1.0_dp, second) < 0.0_dp
-    end function changes
 
     !> True where three values of one sign have their least magnitude in the middle, and differ by
     !> more than what is nothing beside them.
@@ -192,40 +203,60 @@ contains
     end function least_magnitude
 
     !> The zero between two places where the signs differ, to the last bit, and near 0 to the square
-    !> of the last bit of the range: chords where they gain more than halving does (Illinois rule),
-    !> else halving.
+    !> of the last bit of the range; of one place, that.
     pure real(dp) function zero_between(f, from, to) result(zero)
         class(function_type), intent(in) :: f !! the function
         real(dp), intent(in) :: from          !! one end
         real(dp), intent(in) :: to            !! the other end, the sign is another there
-        real(dp) :: x(2), y(2), off(2), next, value, least
-        integer :: i, moved, before
+        type(search_type) :: search
 
-        x = [from, to]
-        least = ulp**2*maxval(abs(x))
-        y = [f%at(from), f%at(to)]
-        off = abs(y)
-        before = 0
-        do i = 1, halvings
-            next = x(1) - y(1)*((x(2) - x(1))/(y(2) - y(1)))
-            if (mod(i, 3) == 0 .or. .not. is_inside(next)) next = x(1) + 0.5_dp*(x(2) - x(1))
-            if (.not. is_inside(next)) exit
-            value = f%at(next)
-            moved = merge(2, 1, changes(y(1), value))
-            x(moved) = next
-            y(moved) = value
-            off(moved) = abs(value)
-            if (moved == before) y(3 - moved) = 0.5_dp*y(3 - moved)
-            before = moved
-            if (.not. abs(value) > 0.0_dp) exit
+        search = new_search([from, to], [f%at(from), f%at(to)])
+        do while (.not. search%is_over)
+            call narrow(search, f%at(search%next))
         end do
-        zero = x(minloc(off, dim=1))
-    contains
-        !> True strictly between the ends.
-        pure logical function is_inside(place)
-            real(dp), intent(in) :: place !! any
-            is_inside = place > minval(x) + least .and. place < maxval(x) - least
-        end function is_inside
+        zero = zero_of(search)
     end function zero_between
+
+    !> What `zero_between` says of a function less one level after another, with the values of many
+    !> searches asked for together.
+    pure subroutine zeros_between(f, brackets, levels, zeros)
+        class(function_type), intent(in) :: f       !! the function
+        real(dp), intent(in) :: brackets(:, :)      !! shape (2, zeros): see `brackets_among`
+        real(dp), intent(in) :: levels(:)           !! one for each
+        real(dp), intent(out) :: zeros(:)           !! one for each
+        integer :: first, last
+        do first = 1, size(levels), block
+            last = min(first + block - 1, size(levels))
+            call search_together(f, brackets(:, first:last), levels(first:last), zeros(first:last))
+        end do
+    end subroutine zeros_between
+
+    !> A block of them.
+    pure subroutine search_together(f, brackets, levels, zeros)
+        class(function_type), intent(in) :: f       !! the function
+        real(dp), intent(in) :: brackets(:, :)      !! shape (2, zeros)
+        real(dp), intent(in) :: levels(:)           !! one for each
+        real(dp), intent(out) :: zeros(:)           !! one for each
+        type(search_type), allocatable :: search(:)
+        integer, allocatable :: left(:)
+        real(dp) :: y(size(levels), 2)
+        integer :: i
+
+        allocate (search(size(levels)), left(0))
+        call f%values(brackets(1, :), y(:, 1))
+        call f%values(brackets(2, :), y(:, 2))
+        do i = 1, size(levels)
+            search(i) = new_search(brackets(:, i), y(i, :) - levels(i))
+        end do
+        left = pack([(i, i=1, size(levels))], .not. search%is_over)
+        do while (size(left) > 0)
+            call f%values(search(left)%next, y(:size(left), 1))
+            do i = 1, size(left)
+                call narrow(search(left(i)), y(i, 1) - levels(left(i)))
+            end do
+            left = pack(left, .not. search(left)%is_over)
+        end do
+        zeros = zero_of(search)
+    end subroutine search_together
 
 end module geom_zeros
