@@ -7,6 +7,7 @@ module cut_inside
     use body_body, only: body_type
     use body_offset, only: foot_at, foot_type, parallel_curvature, steepest_curvature, way_inside
     use body_skin, only: skin_at, skin_type
+    use cut_inside_corner, only: find_corner, image_of, is_corner
     use cut_note, only: add_note
     use cut_outline, only: cut_point_type, cut_type, note_type, outline_type
     use cut_plane, only: cut_kind, height_over, in_view, true_shape
@@ -75,12 +76,49 @@ contains
 
         allocate (inside%pieces(0), is_found(size(outline%points)))
         inside%points = outline%points
+        is_found = .false.
         do i = 1, size(is_found)
+            if (.not. is_found(i)) call take_corner(body, cut, outline, i, inside, is_found)
+            if (is_found(i)) cycle
             call pass_through(body, cut, ahead_at(outline, i), inside%points(i), is_found(i), loss)
         end do
         if (.not. all(is_found)) inside%points = pack(inside%points, is_found)
         inside%is_closed = outline%is_closed .and. size(inside%points) == size(outline%points)
     end subroutine inside_of
+
+    !> Takes a corner of the outside, and the point behind it, to the inside: two sections that
+    !> meet, or one that meets its mirror image in an end of the outline.
+    pure subroutine take_corner(body, cut, outline, i, inside, is_found)
+        type(body_type), intent(in) :: body             !! finished, both halves
+        type(cut_type), intent(in) :: cut               !! plane, flange, thickness
+        type(outline_type), intent(in) :: outline       !! of the outside
+        integer, intent(in) :: i                        !! which of its points
+        type(outline_type), intent(inout) :: inside     !! gets the points
+        logical, intent(inout) :: is_found(:)           !! set where there is a corner
+        type(cut_point_type) :: pair(2)
+        type(foot_type) :: feet(2)
+        integer :: last, before, k
+        logical :: is_there
+
+        last = min(i + 1, size(is_found))
+        before = max(i - 1, 1)
+        pair = [outline%points(i), outline%points(last)]
+        if (i == 1) before = last
+        if (i == 1 .or. i == size(is_found)) then
+            if (outline%is_closed .or. abs(cut%plane%normal(2)) > 0.0_dp) return
+            pair(2) = image_of(body, pair(1))
+            last = i
+        end if
+        if (.not. is_corner(pair, cut%plane, pair(1)%at - outline%points(before)%at)) return
+        call find_corner(body, cut%plane, cut%skin, pair, feet, is_there)
+        if (.not. is_there) return
+        do k = i, last
+            call describe(cut, ahead_at(outline, k), feet(k - i + 1), inside%points(k))
+            if (last == i) inside%points(k)%at(2) = 0.0_dp
+            if (last == i) inside%points(k)%uv = true_shape(cut%plane, inside%points(k)%at)
+            is_found(k) = .true.
+        end do
+    end subroutine take_corner
 
     !> About which way an outline goes at one of its points, in its view.
     pure function ahead_at(outline, i) result(ahead)

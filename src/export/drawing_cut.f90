@@ -47,6 +47,7 @@ contains
         whole = mirrored_body(body)
         do i = 1, size(cut%outlines)
             call way_round(whole, cut%plane, cut%outlines(i), round)
+            round%is_half = shape%is_half
             call draw_outline(cut, round, cut%outlines(i), tolerance, contour, error)
             if (allocated(error)) return
             if (shape%is_half) call seat_ends(cut%plane, contour, meets)

@@ -9,6 +9,7 @@ module export_drawing_inside
     use export_drawing, only: contour_type, curve_type
     use export_drawing_fit, only: flat_curve
     use export_drawing_join, only: gap_between, join, last_point, put_in_space
+    use export_drawing_mitre, only: mitre, mitre_image, side_type
     use export_drawing_opposite, only: is_patch_opposite, new_opposite, nowhere, opposite_type, &
         patch_opposite
     use export_drawing_outside, only: way_round_type
@@ -48,16 +49,26 @@ contains
         real(dp), intent(in) :: tolerance                               !! deck units
         type(contour_type), allocatable, intent(out) :: contours(:)     !! of the inside
         type(error_type), allocatable, intent(out) :: error             !! see above
-        type(opposite_type) :: inside
+        type(side_type) :: side(size(round%path))
         type(list_type) :: list
-        real(dp), allocatable :: from(:)
-        integer :: i
+        integer :: i, next
 
         allocate (list%curve(8))
-        do i = 1, size(round%path)
-            call new_opposite(whole, cut%plane, cut%skin, round%path(i), inside)
-            call find_patches(inside, from)
-            call draw_patches(inside, from, [round%noise, tolerance], list, error)
+        do i = 1, size(side)
+            call new_opposite(whole, cut%plane, cut%skin, round%path(i), side(i)%path)
+            call find_patches(side(i)%path, side(i)%from)
+        end do
+        do i = 1, size(side)
+            next = mod(i, size(side)) + 1
+            if (next == i .or. (next == 1 .and. .not. round%is_closed)) cycle
+            call mitre(side(i), side(next), round%noise)
+        end do
+        if (round%is_half .and. .not. round%is_closed) then
+            call mitre_image(side(1), .false., round%noise)
+            call mitre_image(side(size(side)), .true., round%noise)
+        end if
+        do i = 1, size(side)
+            call draw_patches(side(i)%path, side(i)%from, [round%noise, tolerance], list, error)
             if (allocated(error)) return
         end do
         call make_contours(cut, list, max(round%noise, closed_gap*tolerance), round, contours)

@@ -12,7 +12,7 @@ module export_drawing_opposite
     implicit none (type, external)
     private
 
-    public :: opposite_type, new_opposite, patch_opposite, is_patch_opposite, nowhere
+    public :: opposite_type, new_opposite, patch_opposite, is_patch_opposite, is_own_patch, nowhere
 
     !> The inside opposite to a part of a path. `patch` and `until` say of which section the foot is
     !> (see `patch_opposite`) up to which parameter of the outside.
@@ -102,6 +102,13 @@ contains
         end if
         if (is_there) is_there = patch_of(inside%body, foot) == patch
     end function is_patch_opposite
+
+    !> Which patches are on the section of the outside itself.
+    pure function is_own_patch(inside) result(is_own)
+        type(opposite_type), intent(in) :: inside   !! with patches
+        logical :: is_own(size(inside%patch))
+        is_own = inside%patch/most_stretches == inside%outside%section
+    end function is_own_patch
 
     !> Where the way inside begins, and which way it goes.
     pure subroutine look_from(inside, s, from, inward)

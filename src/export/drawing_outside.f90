@@ -50,6 +50,7 @@ module export_drawing_outside
     type :: way_round_type
         type(outside_type), allocatable :: path(:)  !! in order
         logical :: is_closed = .false.              !! the last ends where the first begins
+        logical :: is_half = .false.                !! its mirror image belongs to the shape
         real(dp) :: noise = 0.0_dp                  !! distance that is but rounding, deck units
     end type way_round_type
 
