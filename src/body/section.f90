@@ -42,6 +42,10 @@ module body_section
         type(end_type) :: finish        !! point and tangent
     end type trace_type
 
+    !> How many times the rounding of its points a section is across, at the most, that is nearly
+    !> a point: its shape has three figures or less.
+    real(dp), parameter :: nearly = 1.0e3_dp
+
 contains
 
     !> Draws the range of a section in to where all its lines are. `to` comes out below `from` where
@@ -102,7 +106,8 @@ contains
     !> shrunk to a straight line at the end of its range, that line, whatever the end slopes.
     !>
     !> Fails with `cause%points_coincide` where it has shrunk to a point (`is_point`), and with the
-    !> causes of `arc_through` where there is no such arc.
+    !> causes of `arc_through` where there is no such arc; where rounding alone may be why, it is
+    !> said that the section is nearly a point.
     pure subroutine section_arc(lines, section, sta, arc, error)
         type(line_type), intent(in) :: lines(:)             !! of the body
         type(section_type), intent(in) :: section           !! one of its sections
@@ -119,6 +124,9 @@ contains
         end if
         call arc_through(trace%start, trace%shoulder, trace%finish, arc, error)
         if (.not. allocated(error)) return
+        if (is_nearly_point(trace)) error%message = 'it has nearly shrunk to a point, '// &
+            compact(extent(trace))//' across where rounding moves points by '// &
+            compact(noise_of(trace))//': end the section before, or let it be larger'
         if (sta > section%from .and. sta < section%to) return
         if (.not. has_shrunk(trace)) return
         deallocate (error)
@@ -128,11 +136,27 @@ contains
     !> True where the three points are one, as far as decimals can say.
     pure logical function is_point(trace)
         type(trace_type), intent(in) :: trace !! of a section
-        real(dp) :: noise
-        noise = rounding(trace%start%point, trace%shoulder, trace%finish%point)
-        is_point = all(abs(trace%shoulder - trace%start%point) <= noise) &
-            .and. all(abs(trace%finish%point - trace%start%point) <= noise)
+        is_point = extent(trace) <= noise_of(trace)
     end function is_point
+
+    !> True where rounding alone may be why there is no arc.
+    pure logical function is_nearly_point(trace)
+        type(trace_type), intent(in) :: trace !! of a section
+        is_nearly_point = extent(trace) <= nearly*noise_of(trace)
+    end function is_nearly_point
+
+    !> How far the points are from the first, along BL or WL, deck units.
+    pure real(dp) function extent(trace)
+        type(trace_type), intent(in) :: trace !! of a section
+        extent = max(maxval(abs(trace%shoulder - trace%start%point)), &
+            maxval(abs(trace%finish%point - trace%start%point)))
+    end function extent
+
+    !> How far rounding may move the points, deck units.
+    pure real(dp) function noise_of(trace)
+        type(trace_type), intent(in) :: trace !! of a section
+        noise_of = rounding(trace%start%point, trace%shoulder, trace%finish%point)
+    end function noise_of
 
     !> True where the shoulder point is on the chord, from end to end.
     pure logical function has_shrunk(trace)

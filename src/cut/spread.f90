@@ -9,11 +9,14 @@ module cut_spread
     use base_text, only: compact, to_text
     use base_tolerances, only: decimal_noise, spacing_tolerance, ulp
     use body_body, only: body_type, smooth_stops
+    use body_section, only: trace_at, trace_type
     use cut_plane, only: plane_type
     use cut_request, only: cut_rule, request_type
     use cut_track, only: track_type
     use cut_walk, only: coordinate_type, parameter_of, point_at, speed_type, station_of
     use geom_spacing, only: new_scale, parameters_at, scale_type
+    use geom_triangle, only: rounding
+    use geom_vector, only: cross
     use geom_zeros, only: brackets_among, sample_type, samples_of, zeros_between
     implicit none (type, external)
     private
@@ -22,6 +25,8 @@ module cut_spread
 
     !> Halvings of a track for chords: what is left is below the rounding of its points.
     integer, parameter :: deepest = 40
+    !> How far above the rounding of its points a section must rise for smooth outlines.
+    real(dp), parameter :: nearly_shrunk = 1.0e6_dp
 
 contains
 
@@ -139,6 +144,7 @@ contains
         stops = pack(stops, stops > track%from%sta .and. stops < track%to%sta)
         stops = [0.0_dp, (parameter_of(track, stops(i)), i=1, size(stops)), 1.0_dp]
         call new_scale(speed, stops, spacing_tolerance, scale, error)
+        if (allocated(error)) call blame_section(body, track, error)
         if (allocated(error)) return
         parts = max(1, request%number - 1)
         if (request%rule == cut_rule%length) then
@@ -157,6 +163,29 @@ contains
         call parameters_at(scale, length, t)
         stations = [(station_of(track, t(i)), i=1, parts - 1)]
     end subroutine equal_lengths
+
+    !> Tells of a length that can't be found where the section has nearly shrunk to a line or a
+    !> point, so that its outline is lost in the rounding of its points.
+    pure subroutine blame_section(body, track, error)
+        type(body_type), intent(in) :: body                     !! finished
+        type(track_type), intent(in) :: track                   !! of that body
+        type(error_type), allocatable, intent(inout) :: error   !! its message is changed
+        type(trace_type) :: trace
+        real(dp) :: middle, chord(2), rise, noise
+
+        middle = 0.5_dp*(track%from%sta + track%to%sta)
+        associate (section => body%sections(track%section))
+            trace = trace_at(body%lines, section, middle)
+            noise = rounding(trace%start%point, trace%shoulder, trace%finish%point)
+            chord = trace%finish%point - trace%start%point
+            rise = abs(cross(trace%shoulder - trace%start%point, chord))/max(norm2(chord), noise)
+            if (rise > nearly_shrunk*noise) return
+            error%message = 'section '//trim(section%name)//' is nearly a line or a point at '// &
+                'station '//compact(middle)//': it rises by '//compact(rise)//' where rounding '// &
+                'moves its points by '//compact(noise)//', and '//error%message// &
+                '; ask for points by steps of STA, or end the section before'
+        end associate
+    end subroutine blame_section
 
     !> The stations inside such that no chord is further than a tolerance from the track: from its
     !> start on, what is ahead is halved until its chord is near enough. Fails with

@@ -16,11 +16,13 @@ module geom_integral_set
 
     public :: integrand_set_type, estimate_type, integrate_set
 
-    !> Functions to integrate: extend it with what they need to know.
+    !> Functions to integrate: extend it with what they need to know, and with `noise` where they
+    !> are not good to an ulp of themselves.
     type, abstract :: integrand_set_type
         integer :: number = 1 !! how many functions
     contains
         procedure(values_at), deferred :: at
+        procedure :: noise => noise_of
     end type integrand_set_type
 
     abstract interface
@@ -69,7 +71,8 @@ module geom_integral_set
 contains
 
     !> The integrals from one end to the other, each to a tolerance relative to the integral of the
-    !> absolute value.
+    !> absolute value, or to the noise of the functions where this is more; it is then added to the
+    !> estimated errors.
     !>
     !> Fails with what the functions fail with, and with `cause%no_convergence` where `most_panels`
     !> do not reach the tolerance. The functions may be integrals of sets themselves.
@@ -81,7 +84,7 @@ contains
         type(estimate_type), intent(out) :: estimate        !! the integrals
         type(error_type), allocatable, intent(out) :: error !! see above
         type(panel_type) :: panels(most_panels)
-        real(dp) :: from_worst, middle
+        real(dp) :: from_worst, middle, allowed(f%number), noise(f%number)
         integer :: count, worst
 
         estimate = nothing(f%number)
@@ -90,8 +93,15 @@ contains
         do count = 1, most_panels - 1
             if (allocated(error)) return
             estimate = total(panels(:count))
-            if (all(estimate%error <= tolerance*estimate%magnitude)) return
-            worst = worst_of(panels(:count), estimate, tolerance)
+            allowed = tolerance*estimate%magnitude
+            if (all(estimate%error <= allowed)) return
+            noise = f%noise(estimate%magnitude)
+            allowed = allowed + noise
+            if (all(estimate%error <= allowed)) then
+                estimate%error = estimate%error + noise
+                return
+            end if
+            worst = worst_of(panels(:count), estimate, allowed)
             from_worst = panels(worst)%from
             middle = 0.5_dp*(from_worst + panels(worst)%to)
             call measure(f, middle, panels(worst)%to, panels(count + 1), error)
@@ -103,6 +113,14 @@ contains
             compact(estimate%value(1))//' is uncertain by '//compact(estimate%error(1))// &
             ' after '//to_text(most_panels)//' panels')
     end subroutine integrate_set
+
+    !> What rounding of the functions can add to their integrals from one end to the other.
+    pure function noise_of(f, magnitude) result(noise)
+        class(integrand_set_type), intent(in) :: f  !! the functions, good to an ulp of themselves
+        real(dp), intent(in) :: magnitude(:)        !! integrals of the absolute values
+        real(dp) :: noise(f%number)
+        noise = ulp*magnitude
+    end function noise_of
 
     !> Integrals of nothing.
     pure type(estimate_type) function nothing(number)
@@ -129,17 +147,17 @@ contains
     end function total
 
     !> The panel with the largest error of an integral that is not good enough yet, in its measure.
-    pure integer function worst_of(panels, estimate, tolerance) result(worst)
+    pure integer function worst_of(panels, estimate, allowed) result(worst)
         type(panel_type), intent(in) :: panels(:)     !! one or more
         type(estimate_type), intent(in) :: estimate   !! over all of them
-        real(dp), intent(in) :: tolerance             !! relative error asked
+        real(dp), intent(in) :: allowed(:)            !! errors asked, one for each integral
         real(dp) :: share, largest
         integer :: i, k
 
         worst = 1
         largest = -1.0_dp
         do k = 1, size(estimate%value)
-            if (estimate%error(k) <= tolerance*estimate%magnitude(k)) cycle
+            if (estimate%error(k) <= allowed(k)) cycle
             do i = 1, size(panels)
                 share = panels(i)%estimate%error(k)/estimate%error(k)
                 if (share <= largest) cycle
