@@ -9,7 +9,7 @@ module body_panel
     use base_error, only: cause, error_type, fail
     use base_kinds, only: dp
     use base_text, only: compact, to_text
-    use base_tolerances, only: panel_tolerance, tangency_tolerance
+    use base_tolerances, only: agreement_ulps, panel_tolerance, tangency_tolerance, ulp
     use body_beside, only: beside_type, neighbour, normal_beside
     use body_panel_side, only: place_on, side_type, side_spline
     use body_ribbon, only: add_ribbon
@@ -25,6 +25,7 @@ module body_panel
     private
 
     public :: panel_type, joint_type, plan_type, new_panel, mirrored_panel
+    public :: panel_noise, panel_reach
 
     !> What a panel is to be.
     type :: plan_type
@@ -177,6 +178,19 @@ contains
             panel%worst = at
         end do
     end subroutine measure_edge
+
+    !> What of a height over a plane is but rounding, deck units.
+    pure real(dp) function panel_noise(panel)
+        type(panel_type), intent(in) :: panel !! any
+        panel_noise = agreement_ulps*ulp*maxval(abs(panel%surface%pole))
+    end function panel_noise
+
+    !> How far apart, deck units, two points may be that are one on the sides of a panel: an edge is
+    !> not on its side but near to it.
+    pure real(dp) function panel_reach(panel)
+        type(panel_type), intent(in) :: panel !! any
+        panel_reach = max(panel_noise(panel), panel%error)
+    end function panel_reach
 
     !> The mirror image of a panel in BL 0.
     pure type(panel_type) function mirrored_panel(panel) result(other)

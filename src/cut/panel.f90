@@ -8,13 +8,13 @@ module cut_panel
     use base_error, only: cause, error_type
     use base_kinds, only: dp
     use body_body, only: body_type
-    use body_panel, only: mirrored_panel, panel_type
+    use body_panel, only: mirrored_panel, panel_noise, panel_reach, panel_type
     use cut_make, only: make_cut, needs_both_halves
     use cut_outline, only: cut_type, outline_type, panel_curve_type
     use cut_panel_curve, only: curve_of_walk
     use cut_panel_point, only: point_on_panel
     use cut_panel_spread, only: places_on, tracks_within
-    use cut_panel_track, only: panel_noise, panel_track_type, panel_tracks
+    use cut_panel_track, only: panel_track_type, panel_tracks
     use cut_panel_walk, only: last_place, point_at, turned_track, walk_type
     use cut_plane, only: height_over, true_shape
     use cut_request, only: request_type
@@ -151,7 +151,7 @@ contains
                 track%uv(:, last) = track%uv(:, 1)
                 track%at(:, last) = track%at(:, 1)
                 if (area(walk) < 0.0_dp) track = turned_track(track)
-            else if (comes_after(track%at(:, 1), track%at(:, last), panel_noise(walk%panel))) then
+            else if (comes_after(track%at(:, 1), track%at(:, last), panel_reach(walk%panel))) then
                 track = turned_track(track)
             end if
         end associate
@@ -174,7 +174,7 @@ contains
     pure logical function comes_after(one, other, noise)
         real(dp), intent(in) :: one(3)      !! deck units
         real(dp), intent(in) :: other(3)    !! deck units
-        real(dp), intent(in) :: noise       !! deck units
+        real(dp), intent(in) :: noise       !! by which ordinates that are one differ, deck units
         integer :: axis
         comes_after = .false.
         do axis = 1, 3

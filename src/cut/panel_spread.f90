@@ -7,6 +7,7 @@ module cut_panel_spread
     use base_list, only: list_type
     use base_order, only: ascending
     use base_text, only: compact, to_text
+    use body_panel, only: panel_reach
     use cut_meeting, only: is_across
     use cut_panel_track, only: panel_track_type
     use cut_panel_walk, only: last_place, part_between, point_at, walk_type
@@ -26,7 +27,8 @@ module cut_panel_spread
 
 contains
 
-    !> The places of the points of a track, rising, both its ends included.
+    !> The places of the points of a track, rising, both its ends included. A step that is an end,
+    !> as near as edges are to sides, is that end.
     !>
     !> Fails with `cause%too_many` where there are more than `largest_table`.
     pure subroutine places_on(walk, request, places, error)
@@ -37,18 +39,21 @@ contains
         type(request_type), parameter :: usual = request_type()
         type(list_type) :: found
         real(dp), allocatable :: levels(:), s(:), length(:)
+        real(dp) :: range(2)
         integer :: parts, i
 
-        allocate (places(0), s(0))
+        allocate (places(0), s(0), levels(0))
         call measure(walk, s, length)
         associate (total => length(size(length)))
             select case (request%rule)
             case (cut_rule%step)
                 parts = usual%number - 1
                 if (.not. (is_across(request%plane) .and. request%axis == 1)) then
-                    associate (x => walk%track%at(request%axis, :))
-                        call steps_inside(request%grid, [minval(x), maxval(x)], levels, error)
+                    associate (x => walk%track%at(request%axis, :), &
+                        reach => panel_reach(walk%panel))
+                        range = [minval(x) + reach, maxval(x) - reach]
                     end associate
+                    if (range(1) < range(2)) call steps_inside(request%grid, range, levels, error)
                     if (allocated(error)) return
                     do i = 1, size(levels)
                         call found%add(crossings(walk, request%axis, levels(i)))

@@ -9,8 +9,8 @@
 !> Source: marching squares; the doubtful case is decided by the middle of the cell.
 module cut_panel_track
     use base_kinds, only: dp
-    use base_tolerances, only: agreement_ulps, ulp
-    use body_panel, only: panel_type
+    use base_tolerances, only: ulp
+    use body_panel, only: panel_noise, panel_reach, panel_type
     use cut_chain, only: chain_type, chains_of, part_type
     use cut_plane, only: height_over, plane_type
     use geom_bspline_basis, only: breaks_of
@@ -18,7 +18,7 @@ module cut_panel_track
     implicit none (type, external)
     private
 
-    public :: panel_track_type, panel_tracks, panel_noise
+    public :: panel_track_type, panel_tracks
 
     !> A track.
     type :: panel_track_type
@@ -34,6 +34,7 @@ module cut_panel_track
         real(dp), allocatable :: h(:, :)        !! height over the plane, deck units
         logical, allocatable :: is_above(:, :)  !! on which side of the plane
         real(dp) :: noise = 0.0_dp              !! heights below it are rounding, deck units
+        real(dp) :: reach = 0.0_dp              !! of edges whose sides lie in the plane, at most
     end type mesh_type
 
     !> A piece of a track, across one cell.
@@ -49,12 +50,6 @@ module cut_panel_track
 
 contains
 
-    !> What of a height over a plane is but rounding, deck units.
-    pure real(dp) function panel_noise(panel)
-        type(panel_type), intent(in) :: panel !! any
-        panel_noise = agreement_ulps*ulp*maxval(abs(panel%surface%pole))
-    end function panel_noise
-
     !> The tracks of a plane. A panel that lies in the plane has none.
     pure subroutine panel_tracks(panel, plane, tracks)
         type(panel_type), intent(in) :: panel                           !! any
@@ -66,7 +61,7 @@ contains
 
         allocate (tracks(0), pieces(0))
         call lay_mesh(panel, plane, mesh)
-        if (all(abs(mesh%h) <= mesh%noise)) return
+        if (all(abs(mesh%h) <= mesh%reach)) return
         call take_sides(panel, mesh, tracks)
         do j = 1, size(mesh%v) - 1
             do i = 1, size(mesh%u) - 1
@@ -84,6 +79,7 @@ contains
         integer :: i, j
 
         mesh%noise = panel_noise(panel)
+        mesh%reach = panel_reach(panel)
         allocate (mesh%u(0), mesh%v(0))
         mesh%u = lines_of(breaks_of(panel%surface%u_knot))
         mesh%v = lines_of(breaks_of(panel%surface%v_knot))
@@ -140,10 +136,10 @@ contains
             call take(panel, 2, spread(1.0_dp, 1, n), mesh%v, tracks)
         end if
     contains
-        !> True where heights are but rounding.
+        !> True where an edge is as near to the plane as to a side in it.
         pure logical function is_in(h)
             real(dp), intent(in) :: h(:) !! of a side
-            is_in = all(abs(h) <= mesh%noise)
+            is_in = all(abs(h) <= mesh%reach)
         end function is_in
     end subroutine take_sides
 

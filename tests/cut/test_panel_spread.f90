@@ -1,7 +1,8 @@
 !> Points along tracks of panels by each rule, and limits.
 program test_panel_spread
+    use base_decimal, only: decimal_type, new_grid
     use base_error, only: error_type
-    use base_kinds, only: dp
+    use base_kinds, only: dp, i64
     use cut_panel_spread, only: places_on, tracks_within
     use cut_panel_track, only: panel_track_type, panel_tracks
     use cut_panel_walk, only: last_place, point_at, walk_type
@@ -54,9 +55,25 @@ program test_panel_spread
         call tap%near(minval(parts(1)%at(1, :)), 4.0_dp, 1.0e-12_dp, 'from the one')
         call tap%near(minval(parts(1)%at(2, :)), 3.0_dp, 1.0e-12_dp, 'to the other')
     end if
+    call check_steps()
     call tap%finish()
 
 contains
+
+    !> Steps of STA of which the first and the last are the ends of the track, but for an edge that
+    !> is not quite on its side.
+    subroutine check_steps()
+        type(decimal_type), parameter :: quarter = decimal_type(25_i64, -1)
+        walk%panel%error = 1.0e-8_dp
+        associate (at => walk%track%at)
+            at(1, 1) = at(1, 1) + sign(1.0e-9_dp, at(1, 1) - at(1, size(at, 2)))
+        end associate
+        request%rule = cut_rule%step
+        request%axis = 1
+        call new_grid(quarter, quarter, request%grid, error)
+        call places_on(walk, request, places, error)
+        call tap%ok(size(places) == 4, 'a step that is an end is there once')
+    end subroutine check_steps
 
     !> Spreads points as asked.
     subroutine spread_it()
