@@ -1,7 +1,6 @@
 !> A job: what a body deck asks for, card by card, as plain data. No geometry is done here; numbers
 !> are the decimals of the cards, names are resolved to places in the lists. Every item keeps its
-!> card, so that whatever is found wrong with it later is said of the right columns (`blame` of
-!> `deck_body_card`).
+!> card, so that what is found wrong with it later is said of the right columns (`deck_body_card`).
 module deck_job
     use base_decimal, only: decimal_type, to_real
     use base_kinds, only: dp
@@ -272,6 +271,7 @@ module deck_job
         type(decimal_type) :: joint_gap         !! largest gap at a joint, deck units
         type(body_type), allocatable :: body(:) !! at least one
         type(sweep_type) :: sweep               !! what varies, and what is looked at
+        type(card_type), allocatable :: card(:) !! every card that is sound, in deck order
     end type job_type
 
 contains

@@ -62,7 +62,9 @@ contains
             call refuse_vary(state, card, kind)
         end if
         if (is_data_card(kind) .and. faults%has_errors(before)) state%open%is_sound = .false.
-        if (.not. is_vary(kind) .and. .not. faults%has_errors(before)) state%before_kind = kind
+        if (faults%has_errors(before)) return
+        if (.not. is_vary(kind)) state%before_kind = kind
+        call append(state%job%card, state%cards, card)
     end subroutine take_card
 
     !> Finds out which card it is; 0 where it is none, which is then a fault.
@@ -204,6 +206,8 @@ contains
         call close_body(state, faults)
         associate (job => state%job)
             job%body = job%body(:state%bodies)
+            if (.not. allocated(job%card)) allocate (job%card(0))
+            job%card = job%card(:state%cards)
             job%title = ''
             call trim_sweep(job%sweep, [state%variables, state%targets, state%wanted])
             if (allocated(heading%title)) job%title = heading%title

@@ -1,6 +1,7 @@
 !> Lists of a job that grow while its deck is read: twice as long whenever they are full, cut to
 !> their length in the end.
 module deck_job_list
+    use deck_body_card, only: card_type
     use deck_duct, only: duct_type
     use deck_job, only: body_type, check_type, control_line_type, cut_type, outline_type, &
         patch_type, piece_type, section_type
@@ -17,8 +18,7 @@ module deck_job_list
     interface append
         module procedure append_body, append_line, append_piece, append_section, append_cut, &
             append_check, append_outline, append_patch, append_duct, append_variable, &
-            append_target, &
-            append_wanted
+            append_target, append_wanted, append_card
     end interface append
 
 contains
@@ -226,5 +226,22 @@ contains
         count = count + 1
         list(count) = item
     end subroutine append_wanted
+
+    !> Adds a card.
+    pure subroutine append_card(list, count, item)
+        type(card_type), allocatable, intent(inout) :: list(:) !! the list
+        integer, intent(inout) :: count !! items in it
+        type(card_type), intent(in) :: item !! what to add
+        type(card_type), allocatable :: grown(:)
+
+        if (.not. allocated(list)) allocate (list(first_room))
+        if (count == size(list)) then
+            allocate (grown(2*count))
+            grown(:count) = list
+            call move_alloc(grown, list)
+        end if
+        count = count + 1
+        list(count) = item
+    end subroutine append_card
 
 end module deck_job_list

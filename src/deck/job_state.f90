@@ -49,6 +49,7 @@ module deck_job_state
         integer :: variables = 0                    !! variables of the sweep, with room for more
         integer :: targets = 0                      !! fields that vary
         integer :: wanted = 0                       !! measures that are looked at
+        integer :: cards = 0                        !! cards of the job, with room for more
         type(card_type) :: before                   !! the last card that is no VARY card
         integer :: before_kind = 0                  !! one of `body_card%...`; 0: it was in error
         type(open_line_type) :: open                !! the open line

@@ -1,5 +1,6 @@
 !> Lists that grow keep all items in their order, however often they were full.
 program test_job_list
+    use deck_body_card, only: card_type, sheet_type
     use deck_job, only: body_type, check_type, control_line_type, cut_type, piece_type, section_type
     use deck_job_list, only: append
     use support_tap, only: tap_type
@@ -8,6 +9,7 @@ program test_job_list
     integer, parameter :: many = 100
     type(tap_type) :: tap
     type(body_type), allocatable :: bodies(:)
+    type(card_type), allocatable :: cards(:)
     type(check_type), allocatable :: checks(:)
     type(control_line_type), allocatable :: lines(:)
     type(cut_type), allocatable :: cuts(:)
@@ -15,7 +17,7 @@ program test_job_list
     type(section_type), allocatable :: sections(:)
     type(piece_type) :: piece
     type(control_line_type) :: line
-    integer :: counts(6), i
+    integer :: counts(7), i
 
     counts = 0
     do i = 1, many
@@ -30,6 +32,7 @@ program test_job_list
         call append(cuts, counts(4), cut_type(kind=i))
         call append(checks, counts(5), check_type(kind=i))
         call append(bodies, counts(6), body_type(name=name_of(i)))
+        call append(cards, counts(7), card_type(sheet=[sheet_type(image=name_of(i))]))
     end do
     call tap%ok(all(counts == many), 'all items are counted')
     call tap%ok(all(pieces(:many)%kind == [(i, i = 1, many)]), 'pieces stay in order')
@@ -40,6 +43,8 @@ program test_job_list
     call tap%ok(all(cuts(:many)%kind == [(i, i = 1, many)]), 'cuts stay in order')
     call tap%ok(all(checks(:many)%kind == [(i, i = 1, many)]), 'components stay in order')
     call tap%ok(all([(bodies(i)%name == name_of(i), i = 1, many)]), 'bodies stay in order')
+    call tap%ok(all([(cards(i)%sheet(1)%image == name_of(i), i = 1, many)]), &
+        'cards stay in order')
     call tap%finish()
 
 contains

@@ -22,7 +22,8 @@ program test_title_page
         'LINE    MHB     PLAN'//feed// &
         '-30.    0.      .577    0.      11.9    50.     21.5    .1405'//feed// &
         'SECTION LOWER   LCL     MHB     MHB     0.      999.999'//feed// &
-        'STATION 0.      30.     5.'//feed//'END'//feed
+        'SKIN    .04'//feed//'STATION 0.      30.     5.'//feed//'VARY    Y9'//feed// &
+        'FLANGE  FWD'//feed//'CLOSE'//feed//'END'//feed
     type(tap_type) :: tap
     character(:), allocatable :: text
 
@@ -34,7 +35,9 @@ program test_title_page
     call tap%has(text, 'ABOUT BL 0', 'symmetry is said')
     call tap%has(text, '     2  LINE    LCL     SIDE'//feed//'     3  -30.    -10.    -.384', &
         'cards are echoed with their lines')
-    call tap%has(text, '     9  STATION 0.      30.     5.', 'to the last')
+    call tap%has(text, '     9  SKIN    .04'//feed//'    10  STATION 0.      30.     5.'//feed// &
+        '    12  FLANGE  FWD'//feed//'    13  CLOSE'//feed, &
+        'to the last, but for one in error; also those that hold for what follows')
     call tap%ok(index(text, '     3  ') < index(text, '     4  ') .and. &
         index(text, '     7  ') < index(text, '     8  '), 'in the order of the deck')
     call tap%finish()
