@@ -96,8 +96,11 @@ contains
         type(twofold_type), intent(in) :: first     !! taken where `is_first`
         type(twofold_type), intent(in) :: second    !! taken elsewhere
         logical, intent(in) :: is_first(width)      !! which
-        row%high = merge(first%high, second%high, is_first)
-        row%low = merge(first%low, second%low, is_first)
+        integer :: i
+        do i = 1, width
+            row%high(i) = merge(first%high, second%high, is_first(i))
+            row%low(i) = merge(first%low, second%low, is_first(i))
+        end do
     end function either
 
 end module geom_ordinate_row
