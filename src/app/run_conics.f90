@@ -23,7 +23,7 @@ module app_run_conics
     public :: run_conics
 
     !> Cards read before any is computed, at most; as many as a block of the source has.
-    integer, parameter :: most_cards = 128
+    integer, parameter :: most_cards = 1024
     !> Fewer cards than this are computed by one thread.
     integer, parameter :: least_shared = 8
 
@@ -34,7 +34,10 @@ module app_run_conics
         type(fault_list_type) :: faults(most_cards)             !! met before each
         type(fault_list_type) :: last_faults                    !! met behind the last
         logical :: is_last = .false.                            !! the deck is at its end
-        type(card_result_type) :: result(most_cards)            !! what became of each
+        type(card_result_type) :: result(most_cards)            !! what became of them
+        integer :: at(most_cards) = 0                           !! of each: which of these
+        integer :: spare(most_cards) = 0                        !! those not in use; the last goes first
+        integer :: spares = 0                                   !! how many
         integer :: is_ready(most_cards) = 0                     !! 1: it is computed
         integer :: printed = 0                                  !! how many are printed
         integer :: printing = 0                                 !! 1: a thread prints
@@ -65,12 +68,16 @@ contains
         type(error_type), allocatable, intent(out) :: error !! see above
         type(run_type) :: run
         type(batch_type), allocatable :: batch
+        integer :: i
 
         run%options = options
         run%name = input%name
         run%is_confined = has_little_memory()
         run%deck%heading = input%opening%heading
         allocate (batch)
+        do i = most_cards, 1, -1
+            call give_result(batch, i)
+        end do
         if (options%format == 'csv') call print_csv_header(out)
         do
             call read_batch(run%deck, input%source, batch, error)
@@ -106,9 +113,9 @@ contains
         batch%is_last = .true.
     end subroutine read_batch
 
-    !> Computes the cards of a batch, many side by side, and prints them in order. No thread waits
-    !> for another: a card that is ready before its turn is printed by the thread that has finished
-    !> the card before it, or the next one that comes.
+    !> Computes the cards of a batch, many side by side, and prints them in order. A card that is
+    !> ready before its turn is printed by the thread that has finished the card before it, or the
+    !> next one that comes; no thread waits for another.
     subroutine run_batch(run, batch, out, messages)
         type(run_type), intent(inout) :: run            !! the run
         type(batch_type), intent(inout) :: batch        !! the cards; their faults are taken
@@ -121,10 +128,13 @@ contains
         !$omp parallel do default(none) shared(run, batch, out, messages) schedule(dynamic, 1) &
         !$omp if (batch%count >= least_shared .and. .not. run%is_confined)
         do i = 1, batch%count
-            call batch%result(i)%faults%clear()
-            if (batch%faults(i)%count > 0) batch%result(i)%faults = batch%faults(i)
-            call batch%faults(i)%clear()
-            call compute_card(run%options, batch%image(i), batch%result(i))
+            call take_result(batch, batch%at(i))
+            associate (it => batch%result(batch%at(i)))
+                call it%faults%clear()
+                if (batch%faults(i)%count > 0) it%faults = batch%faults(i)
+                call batch%faults(i)%clear()
+                call compute_card(run%options, batch%image(i), it)
+            end associate
             !$omp atomic write release
             batch%is_ready(i) = 1
             !$omp end atomic
@@ -133,6 +143,27 @@ contains
         !$omp end parallel do
         call print_ready(run, batch, out, messages)
     end subroutine run_batch
+
+    !> Takes a result that is not in use: the one given back last, whose texts still are next to a
+    !> processor. Of a thousand a handful is in use where the threads keep step.
+    subroutine take_result(batch, which)
+        type(batch_type), intent(inout) :: batch    !! the results
+        integer, intent(out) :: which               !! of them
+        !$omp critical (results)
+        which = batch%spare(batch%spares)
+        batch%spares = batch%spares - 1
+        !$omp end critical (results)
+    end subroutine take_result
+
+    !> Gives a result back.
+    subroutine give_result(batch, which)
+        type(batch_type), intent(inout) :: batch    !! the results
+        integer, intent(in) :: which                !! of them
+        !$omp critical (results)
+        batch%spares = batch%spares + 1
+        batch%spare(batch%spares) = which
+        !$omp end critical (results)
+    end subroutine give_result
 
     !> Prints the cards whose turn has come, unless another thread is at it.
     subroutine print_ready(run, batch, out, messages)
@@ -153,7 +184,8 @@ contains
             !$omp end atomic
             if (ready == 0) exit
             batch%printed = batch%printed + 1
-            call print_card(run, batch%result(batch%printed), out, messages)
+            call print_card(run, batch%result(batch%at(batch%printed)), out, messages)
+            call give_result(batch, batch%at(batch%printed))
         end do
         !$omp atomic write release
         batch%printing = 0
