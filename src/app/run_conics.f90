@@ -36,7 +36,7 @@ module app_run_conics
         logical :: is_last = .false.                            !! the deck is at its end
         type(card_result_type) :: result(most_cards)            !! what became of them
         integer :: at(most_cards) = 0                           !! of each: which of these
-        integer :: spare(most_cards) = 0                        !! those not in use; the last goes first
+        integer :: spare(most_cards) = 0                        !! those not in use
         integer :: spares = 0                                   !! how many
         integer :: is_ready(most_cards) = 0                     !! 1: it is computed
         integer :: printed = 0                                  !! how many are printed

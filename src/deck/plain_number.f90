@@ -21,6 +21,7 @@ contains
         logical, intent(out) :: is_plain            !! it was read
         integer(i64) :: digits
         integer :: i, first, point
+        logical :: is_negative
 
         is_plain = .false.
         if (len(field) > most_figures) return
@@ -28,7 +29,8 @@ contains
         do while (field(first:first) == ' ')
             first = first + 1
         end do
-        if (field(first:first) == '-' .or. field(first:first) == '+') first = first + 1
+        is_negative = field(first:first) == '-'
+        if (is_negative .or. field(first:first) == '+') first = first + 1
         digits = 0
         point = 0
         do i = first, len(field)
@@ -44,8 +46,7 @@ contains
         if (.not. is_plain) return
         value = decimal_type()
         if (digits == 0) return
-        if (index(field(:first - 1), '-') > 0) digits = -digits
-        value%digits = digits
+        value%digits = merge(-digits, digits, is_negative)
         if (point > 0) value%power = point - len(field)
     end subroutine read_plain
 

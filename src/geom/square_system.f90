@@ -23,6 +23,8 @@ module geom_square_system
     real(dp), parameter :: precision = 0.5_dp*epsilon(1.0_dp)
     !> Steps of refinement, at most.
     integer, parameter :: most_steps = 5
+    !> Equations, at most. All systems have room for as many, which takes no time to find.
+    integer, parameter, public :: most_equations = 16
 
     interface
         !> LAPACK's scales for the rows and columns of a matrix; names and meanings are LAPACK's.
@@ -90,66 +92,67 @@ contains
     !> Fails with `cause%singular` where the matrix is singular, exactly or to working precision;
     !> `x` is zero then, and `rcond` says how near to singular it is.
     pure subroutine solve(a, b, x, rcond, error)
-        real(dp), intent(in) :: a(:, :)                     !! matrix, shape (n, n)
+        real(dp), intent(in) :: a(:, :)                     !! shape (n, n), n to `most_equations`
         real(dp), intent(in) :: b(:)                        !! right-hand side, shape (n)
         real(dp), intent(out) :: x(:)                       !! solution, shape (n)
         real(dp), intent(out) :: rcond                      !! reciprocal condition, 0 to 1
         type(error_type), allocatable, intent(out) :: error !! see above
-        real(dp), dimension(size(b), size(b)) :: matrix, factors
-        real(dp), dimension(size(b)) :: row, column, right
-        integer :: pivots(size(b)), n, info
+        real(dp), dimension(most_equations, most_equations) :: matrix, factors
+        real(dp), dimension(most_equations) :: row, column, right
+        integer :: pivots(most_equations), n, info
 
         n = size(b)
-        matrix = a
-        call equilibrate(matrix, row, column)
-        factors = matrix
-        call dgetf2(n, n, factors, n, pivots, info)
+        matrix(:n, :n) = a
+        call equilibrate(n, matrix, row, column)
+        factors(:n, :n) = matrix(:n, :n)
+        call dgetf2(n, n, factors, most_equations, pivots, info)
         rcond = 0.0_dp
-        if (info == 0) rcond = reciprocal_condition(matrix, factors)
+        if (info == 0) rcond = reciprocal_condition(n, matrix, factors)
         x = 0.0_dp
         if (rcond < precision) then
             call fail(error, cause%singular, 'the system of '//to_text(n)// &
                 ' equations has no unique solution')
             return
         end if
-        right = row*b
-        call refine(matrix, factors, pivots, right, x)
-        x = column*x
+        right(:n) = row(:n)*b
+        call refine(matrix, factors, pivots, right(:n), x)
+        x = column(:n)*x
     end subroutine solve
 
     !> Scales a matrix; scales that are not worth it are 1.
-    pure subroutine equilibrate(matrix, row, column)
-        real(dp), intent(inout) :: matrix(:, :) !! square
-        real(dp), intent(out) :: row(:)         !! scales of its rows
-        real(dp), intent(out) :: column(:)      !! scales of its columns
+    pure subroutine equilibrate(n, matrix, row, column)
+        integer, intent(in) :: n                                            !! equations
+        real(dp), intent(inout) :: matrix(most_equations, most_equations)   !! of them
+        real(dp), intent(out) :: row(most_equations)                        !! scales of its rows
+        real(dp), intent(out) :: column(most_equations)                     !! of its columns
         real(dp) :: least_row, least_column, largest
-        integer :: n, info
+        integer :: info
         character :: scaled
 
-        n = size(row)
         scaled = 'N'
-        call dgeequ(n, n, matrix, n, row, column, least_row, least_column, largest, info)
-        if (info == 0) call dlaqge(n, n, matrix, n, row, column, least_row, least_column, largest, &
-            scaled)
+        call dgeequ(n, n, matrix, most_equations, row, column, least_row, least_column, largest, &
+            info)
+        if (info == 0) call dlaqge(n, n, matrix, most_equations, row, column, least_row, &
+            least_column, largest, scaled)
         if (scaled == 'N' .or. scaled == 'C') row = 1.0_dp
         if (scaled == 'N' .or. scaled == 'R') column = 1.0_dp
     end subroutine equilibrate
 
     !> The reciprocal of the condition of a matrix in the 1-norm, estimated; less than `precision`
     !> where a pivot is so small that it need not be, and the estimate might overflow.
-    pure real(dp) function reciprocal_condition(matrix, factors) result(rcond)
-        real(dp), intent(in) :: matrix(:, :)    !! square
-        real(dp), intent(in) :: factors(:, :)   !! its factors, no pivot zero
+    pure real(dp) function reciprocal_condition(n, matrix, factors) result(rcond)
+        integer, intent(in) :: n                                        !! equations
+        real(dp), intent(in) :: matrix(most_equations, most_equations)  !! of them
+        real(dp), intent(in) :: factors(most_equations, most_equations) !! no pivot is zero
         real(dp), parameter :: least_pivot = 1.0e-3_dp*precision
-        real(dp), dimension(size(matrix, 1)) :: x, v
+        real(dp), dimension(most_equations) :: x, v
         real(dp) :: norm, least, norm_of_inverse
-        integer :: signs(size(matrix, 1)), state(3), turn, n, i
+        integer :: signs(most_equations), state(3), turn, i
 
-        n = size(matrix, 1)
         norm = 0.0_dp
         least = huge(least)
         do i = 1, n
-            norm = max(norm, sum(abs(matrix(:, i))))
+            norm = max(norm, sum(abs(matrix(:n, i))))
             least = min(least, abs(factors(i, i)))
         end do
         rcond = real(n, dp)*least/norm
@@ -161,9 +164,9 @@ contains
             case (0)
                 exit
             case (1)
-                call solve_factored(factors, x)
+                call solve_factored(factors, x(:n))
             case default
-                call solve_transposed(factors, x)
+                call solve_transposed(factors, x(:n))
             end select
         end do
         rcond = (1.0_dp/norm_of_inverse)/norm
@@ -172,29 +175,30 @@ contains
     !> Solves a system and refines the solution as long as its backward error, the least relative
     !> change of the system that would make it exact, is more than rounding and has been halved.
     pure subroutine refine(matrix, factors, pivots, b, x)
-        real(dp), intent(in) :: matrix(:, :)    !! square
-        real(dp), intent(in) :: factors(:, :)   !! its factors
-        integer, intent(in) :: pivots(:)        !! of the factors
-        real(dp), intent(in) :: b(:)            !! right-hand side
-        real(dp), intent(out) :: x(:)           !! the solution
-        real(dp), dimension(size(b)) :: rest, magnitude
+        real(dp), intent(in) :: matrix(most_equations, most_equations)  !! of the equations
+        real(dp), intent(in) :: factors(most_equations, most_equations) !! of the matrix
+        integer, intent(in) :: pivots(most_equations)                   !! of the factors
+        real(dp), intent(in) :: b(:)                                    !! right-hand side
+        real(dp), intent(out) :: x(:)                                   !! the solution
+        real(dp), dimension(most_equations) :: rest, magnitude
         real(dp) :: backward, last
-        integer :: step, i
+        integer :: step, i, n
 
+        n = size(b)
         x = 0.0_dp
-        rest = b
+        rest(:n) = b
         last = 3.0_dp
         do step = 0, most_steps
-            call exchange(pivots, rest)
-            call solve_factored(factors, rest)
-            x = x + rest
-            rest = b
-            magnitude = abs(b)
-            do i = 1, size(b)
-                rest = rest - x(i)*matrix(:, i)
-                magnitude = magnitude + abs(matrix(:, i))*abs(x(i))
+            call exchange(pivots, rest(:n))
+            call solve_factored(factors, rest(:n))
+            x = x + rest(:n)
+            rest(:n) = b
+            magnitude(:n) = abs(b)
+            do i = 1, n
+                rest(:n) = rest(:n) - x(i)*matrix(:n, i)
+                magnitude(:n) = magnitude(:n) + abs(matrix(:n, i))*abs(x(i))
             end do
-            backward = maxval(abs(rest)/max(magnitude, tiny(1.0_dp)))
+            backward = maxval(abs(rest(:n))/max(magnitude(:n), tiny(1.0_dp)))
             if (backward <= precision .or. 2.0_dp*backward > last) exit
             last = backward
         end do
@@ -202,8 +206,8 @@ contains
 
     !> Exchanges the rows of a right-hand side as those of the matrix were.
     pure subroutine exchange(pivots, x)
-        integer, intent(in) :: pivots(:)        !! row i was exchanged with row pivots(i)
-        real(dp), intent(inout) :: x(:)         !! the right-hand side
+        integer, intent(in) :: pivots(:)                !! row i was exchanged with row pivots(i)
+        real(dp), intent(inout), contiguous :: x(:)     !! the right-hand side
         real(dp) :: kept
         integer :: i
 
@@ -216,8 +220,9 @@ contains
 
     !> Solves `L U x = b`, column by column.
     pure subroutine solve_factored(factors, x)
-        real(dp), intent(in) :: factors(:, :)   !! L below the diagonal, of which it has ones, and U
-        real(dp), intent(inout) :: x(:)         !! b, then x
+        real(dp), intent(in) :: factors(most_equations, most_equations) !! L below the diagonal, of
+                                                                        !! which it has ones, and U
+        real(dp), intent(inout), contiguous :: x(:)                     !! b, then x
         integer :: i, j, n
 
         n = size(x)
@@ -236,8 +241,8 @@ contains
 
     !> Solves `(L U)**T x = b`, a sum for each number.
     pure subroutine solve_transposed(factors, x)
-        real(dp), intent(in) :: factors(:, :)   !! as `solve_factored`
-        real(dp), intent(inout) :: x(:)         !! b, then x
+        real(dp), intent(in) :: factors(most_equations, most_equations) !! as `solve_factored`
+        real(dp), intent(inout), contiguous :: x(:)                     !! b, then x
         integer :: i, j, n
 
         n = size(x)

@@ -2,7 +2,7 @@
 !> its conic, its equations, and the rows of its tables. It needs nothing of any other card, so
 !> blocks can be made side by side.
 module report_card_block
-    use base_digits, only: put_fixed, put_scientific, scientific, widest_scientific
+    use base_digits, only: put_fixed, put_scientific, widest_scientific
     use base_figures, only: put_text, put_whole
     use base_kinds, only: dp, i64
     use base_output, only: output_type
@@ -194,7 +194,14 @@ contains
         character(*), intent(inout) :: text     !! gets it
         integer, intent(inout) :: next          !! its first column; behind it on return
         integer, parameter :: room = 10, figures = 2
-        call put_text(scientific(value, room, figures), text, next)
+        character(widest_scientific) :: number
+        integer :: behind
+
+        behind = 1
+        call put_scientific(value, figures, number, behind)
+        text(next:next + room - 1) = ''
+        next = next + room
+        text(next - behind + 1:next - 1) = number(:behind - 1)
     end subroutine put_estimate
 
     !> Puts coefficients by name, three on a line.
