@@ -54,7 +54,8 @@ contains
         before = faults%count
         card%image = line%text
         card%line = line%number
-        tab = index(line%text, achar(9))
+        tab = 0
+        if (line%has_control) tab = index(line%text, achar(9))
         call check_columns(line, tab, faults)
         card%is_readable = tab == 0
         card%is_whole = line%filled <= card_columns

@@ -29,6 +29,7 @@ module deck_source
         integer(i64) :: length = 0          !! bytes in the whole line
         integer :: filled = 0               !! the last byte of it that is not a blank
         logical :: has_null = .false.       !! a null byte was met: this is no text file
+        logical :: has_control = .false.    !! a control byte was met: a tab, say
     end type line_type
 
     !> Where the lines come from.
@@ -209,6 +210,8 @@ contains
         end do
         if (i > 0) line%filled = int(min(line%length + i, int(huge(line%filled), i64)))
         do i = 1, len(piece, i64)
+            if (piece(i:i) >= ' ') cycle
+            line%has_control = .true.
             if (piece(i:i) == achar(0)) line%has_null = .true.
         end do
         line%length = line%length + len(piece, i64)

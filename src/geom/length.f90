@@ -32,6 +32,7 @@ module geom_length
         real(dp) :: scale = 0.5_dp       !! k
     contains
         procedure :: at => speed_at
+        procedure :: values => put_speeds
     end type speed_type
 
     !> The speeds on both halves of an arc, each from its end to the shoulder.
@@ -124,12 +125,28 @@ contains
     pure real(dp) function speed_at(f, t) result(speed)
         class(speed_type), intent(in) :: f !! first half of an arc
         real(dp), intent(in) :: t          !! the half's parameter s, 0 to 1
-        real(dp) :: r, denominator
-
-        r = 1.0_dp - t
-        denominator = r**2 + r*t/f%scale + t**2
-        speed = 2.0_dp*f%scale/denominator**2 &
-            *norm2(r**2*f%leaving + 2.0_dp*r*t*f%turning + t**2*f%half)
+        real(dp) :: speeds(1)
+        call put_speeds(f, [t], speeds)
+        speed = speeds(1)
     end function speed_at
+
+    !> |dp/ds| at many s, deck units.
+    pure subroutine put_speeds(f, t, value)
+        class(speed_type), intent(in) :: f      !! first half of an arc
+        real(dp), intent(in) :: t(:)            !! the half's parameters s, 0 to 1
+        real(dp), intent(out) :: value(:)       !! the speeds, one for each
+        real(dp) :: r, denominator, run, rise
+        integer :: i
+
+        associate (v1 => f%leaving, turning => f%turning, h => f%half, k => f%scale)
+            do i = 1, size(t)
+                r = 1.0_dp - t(i)
+                denominator = r**2 + r*t(i)/k + t(i)**2
+                run = r**2*v1(1) + 2.0_dp*r*t(i)*turning(1) + t(i)**2*h(1)
+                rise = r**2*v1(2) + 2.0_dp*r*t(i)*turning(2) + t(i)**2*h(2)
+                value(i) = 2.0_dp*k/denominator**2*norm2([run, rise])
+            end do
+        end associate
+    end subroutine put_speeds
 
 end module geom_length
