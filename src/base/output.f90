@@ -53,7 +53,7 @@ contains
         class(output_type), intent(inout) :: out !! the output
         character(*), intent(in) :: text         !! any bytes
 
-        call make_room(out, len(text, i64))
+        if (.not. has_room(out, len(text, i64))) call make_room(out, len(text, i64))
         if (allocated(out%trouble)) return
         if (len(text, i64) > len(out%buffer, i64) - out%used) then
             call write_all(out, text)
@@ -70,7 +70,7 @@ contains
         integer(i64) :: length
 
         length = len(text, i64) + 1
-        call make_room(out, length)
+        if (.not. has_room(out, length)) call make_room(out, length)
         if (allocated(out%trouble)) return
         if (length > len(out%buffer, i64) - out%used) then
             call out%put(text)
@@ -140,6 +140,14 @@ contains
         has_failed = allocated(out%trouble)
     end function has_failed
 
+    !> True where the buffer has room for some bytes.
+    pure logical function has_room(out, length)
+        class(output_type), intent(in) :: out    !! the output
+        integer(i64), intent(in) :: length       !! bytes to come
+        has_room = .false.
+        if (allocated(out%buffer)) has_room = length <= len(out%buffer, i64) - out%used
+    end function has_room
+
     !> Makes room for some bytes: empties the buffer, or in memory lets it grow.
     subroutine make_room(out, length)
         class(output_type), intent(inout) :: out !! the output
@@ -148,7 +156,7 @@ contains
 
         if (.not. allocated(out%buffer)) allocate (character(merge(memory_size, buffer_size, &
             out%descriptor == memory)) :: out%buffer)
-        if (length <= len(out%buffer, i64) - out%used) return
+        if (has_room(out, length)) return
         if (out%descriptor /= memory) then
             call empty(out)
         else

@@ -11,7 +11,7 @@ module geom_shifted
     use geom_arc, only: arc_type, end_type
     use geom_square_system, only: solve
     use geom_twofold, only: operator(*), operator(+), twofold, twofold_type
-    use geom_twofold_same, only: operator(*), operator(+), operator(/), rows_at_once, rows_type, &
+    use geom_twofold_same, only: operator(*), operator(+), operator(-), rows_at_once, rows_type, &
         to_real
     implicit none (type, external)
     private
@@ -102,11 +102,15 @@ contains
         real(dp), parameter :: unit = 2.0_dp**(-2*bits), high(inner, 3) = real(share, dp), &
             low(inner, 3) = real(share - int(high, i128), dp)
         type(rows_type) :: bulging, along, under
+        real(dp) :: one_over(rows_at_once)
 
         bulging = shares(1)
         along = shares(2)
+        ! The reciprocal of D, by a step of Newton's from that of a double.
         under = shares(3) + bulging*arc%fullness
-        under = rows_type(1.0_dp, 0.0_dp)/under
+        one_over = 1.0_dp/under%high
+        under = twofold(1.0_dp) - under*rows_type(one_over, 0.0_dp)
+        under = rows_type(one_over, one_over*under%high)
         x = coordinate(1)
         y = coordinate(2)
     contains

@@ -2,9 +2,10 @@
 !> is lost because a page was full.
 module report_page
     use base_constants, only: version
+    use base_figures, only: put_text, put_whole
     use base_kinds, only: i64
     use base_output, only: output_type
-    use base_text, only: characters, first_bytes, printable, to_text
+    use base_text, only: characters, first_bytes, printable
     implicit none (type, external)
     private
 
@@ -25,6 +26,7 @@ module report_page
         character(:), allocatable :: title      !! first line of every page, left
         character(:), allocatable :: deck       !! second line, left
         character(:), allocatable :: units      !! second line, middle
+        character(:), allocatable :: below      !! second line and the blank one, as they are put
         integer :: number = 0                   !! of the present page
         integer :: columns = page_columns       !! of a page
         integer :: lines = page_lines           !! of a page
@@ -57,6 +59,7 @@ contains
         page%title = title
         page%deck = deck
         page%units = units
+        if (allocated(page%below)) deallocate (page%below)
     end subroutine set_heading
 
     !> Says how large a page is; 80 columns and 60 lines unless said.
@@ -66,6 +69,7 @@ contains
         integer, intent(in) :: lines            !! heading included
         page%columns = columns
         page%lines = lines
+        if (allocated(page%below)) deallocate (page%below)
     end subroutine set_size
 
     !> Columns of a page.
@@ -190,12 +194,22 @@ contains
     subroutine turn(page, out)
         class(page_type), intent(inout) :: page !! the listing
         type(output_type), intent(inout) :: out !! where it goes
+        type(output_type) :: below
+        character(16) :: number
+        integer :: next
 
         page%number = page%number + 1
         if (page%number > 1) call out%put(achar(12))
-        call put_spread(page, out, page%title, '', 'PAGE '//to_text(page%number))
-        call put_spread(page, out, page%deck, page%units, 'LOFT '//version)
-        call out%line('')
+        next = 1
+        call put_text('PAGE ', number, next)
+        call put_whole(int(page%number, i64), number, next)
+        call put_spread(page, out, page%title, '', number(:next - 1))
+        if (.not. allocated(page%below)) then
+            call put_spread(page, below, page%deck, page%units, 'LOFT '//version)
+            call below%line('')
+            page%below = below%text()
+        end if
+        call out%put(page%below)
         page%used = 3
         call put_heads(page, out)
     end subroutine turn
