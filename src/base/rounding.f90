@@ -10,6 +10,7 @@
 module base_rounding
     use base_decimal, only: tens
     use base_exact, only: is_equal
+    use base_figures, only: ten_to
     use base_kinds, only: dp, i128, i64
     use base_power, only: decade_of_binary, half_bits, power_of_ten, power_type, product_with
     implicit none (type, external)
@@ -101,7 +102,7 @@ contains
         integer(i64) :: limit
 
         parts = parts_of(value)
-        limit = 10_i64**int(count, i64)
+        limit = ten_to(count)
         power = decade_of_binary(parts%binary + leading_bit, .false.) - count + 1
         product = scaled_by(parts, power_of_ten(-power))
         figures = whole_of(product)

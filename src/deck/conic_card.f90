@@ -10,7 +10,7 @@ module deck_conic_card
     use base_exact, only: is_equal
     use base_fault, only: fault_list_type, new_fault, severity
     use base_kinds, only: dp, i64
-    use base_text, only: columns, compact, to_text
+    use base_text, only: compact, to_text
     use deck_layout, only: card_columns, conic, conic_fields, field_layout_type
     use deck_number, only: number_type, read_number
     use deck_source, only: line_type
@@ -91,9 +91,14 @@ contains
     pure logical function ends_deck(line)
         type(line_type), intent(in) :: line !! the line of the deck
         type(number_type) :: number
+        character(card_columns) :: image
+        integer(i64) :: first, last
 
         associate (field => conic_fields(conic%x1))
-            number = read_number(columns(line%text, field%first, field%last), field%decimals)
+            image = line%text
+            first = int(field%first, i64)
+            last = int(field%last, i64)
+            number = read_number(image(first:last), field%decimals)
             ends_deck = number%first == 0 .and. to_real(number%value) >= end_of_deck
         end associate
     end function ends_deck

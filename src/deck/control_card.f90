@@ -31,7 +31,8 @@ contains
     pure logical function begins_with_word(line)
         type(line_type), intent(in) :: line !! a line of the deck
         character(8) :: field
-        field = adjustl(columns(line%text, 1, 8))
+        field = line%text
+        field = adjustl(field)
         begins_with_word = verify(upper(field(1:2)), letters) == 0
     end function begins_with_word
 

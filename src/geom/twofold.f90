@@ -122,7 +122,8 @@ contains
     elemental type(twofold_type) function sum_with_real(a, y) result(c)
         type(twofold_type), intent(in) :: a !! any number
         real(dp), intent(in) :: y           !! any number
-        c = a + twofold(y)
+        c = exact_sum(a%high, y)
+        c = ordered_sum(c%high, c%low + a%low)
     end function sum_with_real
 
     !> `a - b`.
@@ -136,7 +137,7 @@ contains
     elemental type(twofold_type) function difference_with_real(a, y) result(c)
         type(twofold_type), intent(in) :: a !! any number
         real(dp), intent(in) :: y           !! any number
-        c = a + twofold(-y)
+        c = sum_with_real(a, -y)
     end function difference_with_real
 
     !> `-a`.
