@@ -19,8 +19,8 @@ module base_figures
     !> Most decimals of `put_units`.
     integer, parameter, public :: most_decimals = 12
     !> Powers of ten.
-    integer(i64), parameter, public :: ten_to(0:18) = 10_i64**int([0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, &
-        12, 13, 14, 15, 16, 17, 18], i64)
+    integer(i64), parameter, public :: ten_to(0:18) = 10_i64**int([0, 1, 2, 3, 4, 5, 6, 7, 8, 9, &
+        10, 11, 12, 13, 14, 15, 16, 17, 18], i64)
 
     !> `0` in each byte; the bit of `0` that a blank has not, in each byte.
     integer(i64), parameter :: zeros = int(z'3030303030303030', i64)

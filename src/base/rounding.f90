@@ -99,14 +99,12 @@ contains
         type(parts_type) :: parts
         type(product_type) :: product
         integer(i128) :: beyond_half
-        integer(i64) :: limit
 
         parts = parts_of(value)
-        limit = ten_to(count)
         power = decade_of_binary(parts%binary + leading_bit, .false.) - count + 1
         product = scaled_by(parts, power_of_ten(-power))
         figures = whole_of(product)
-        if (figures >= limit) then
+        if (figures >= ten_to(count)) then
             power = power + 1
             product = scaled_by(parts, power_of_ten(-power))
             figures = whole_of(product)
@@ -117,7 +115,7 @@ contains
             return
         end if
         if (beyond_half > 0) figures = figures + 1
-        if (figures < limit) return
+        if (figures < ten_to(count)) return
         figures = figures/10
         power = power + 1
     end subroutine figures_of
