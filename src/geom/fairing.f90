@@ -104,7 +104,7 @@ contains
             lambda = next_multiplier(lambda, miss, slope, bracket)
         end do
         if (abs(miss) > area_tolerance*scale) then
-            call fail(error, cause%no_convergence, 'the area '//compact(area)// &
+            call fail(error, cause%no_convergence, 'the area '//compact(abs(area))// &
                 ' is not met; it is missed by '//compact(abs(miss)))
             return
         end if
@@ -200,7 +200,8 @@ contains
         slope = -real(dot_product(force, pace), dp)
     end subroutine solve_at
 
-    !> Is an area within what the bracket reaches?
+    !> Is an area within what the bracket reaches? If not it is said of areas of its sign, as they
+    !> are to the eye: which way the points run is not.
     !>
     !> Fails with `cause%no_area`, or `cause%singular`.
     pure subroutine check_reach(system, area, bracket, error)
@@ -209,7 +210,7 @@ contains
         real(dp), intent(in) :: bracket(2)                  !! least and greatest multiplier
         type(error_type), allocatable, intent(out) :: error !! see above
         complex(dp), allocatable :: z(:)
-        real(dp) :: reach(2), slope
+        real(dp) :: reach(2), slope, sense
         integer :: i
 
         do i = 1, 2
@@ -218,9 +219,10 @@ contains
             reach(i) = form_area(system, z)
         end do
         if (area >= reach(2) .and. area <= reach(1)) return
+        sense = sign(1.0_dp, area)
         call fail(error, cause%no_area, 'no faired curve near these points has the area '// &
-            compact(area)//'; with these weights it is from '//compact(reach(2))//' to '// &
-            compact(reach(1)))
+            compact(abs(area))//'; with these weights it is from '// &
+            compact(minval(sense*reach))//' to '//compact(maxval(sense*reach)))
     end subroutine check_reach
 
     !> The curve of unknowns.

@@ -15,6 +15,7 @@ program test_outline
     type(tap_type) :: tap
     type(outline_type), allocatable :: list(:)
     type(fault_list_type) :: faults
+    character(:), allocatable :: words
 
     call build('FAIRED,A,7.,100.,.5,1.18'//points//'|FAIRED,B,7.,100.,.5,1.18'//back// &
         '|FAIRED,C,7.,100.'//points)
@@ -32,6 +33,10 @@ program test_outline
     call tap%ok(size(list) == 0, 'an area that can''t be reached makes no outline')
     call tap%has(words_of(faults), '1:21-24 error: no faired curve near these points has the '// &
         'area 1.', 'why is said')
+    call build('FAIRED,A,7.,100.,.5,50.'//points)
+    words = words_of(faults)
+    call build('FAIRED,A,7.,100.,.5,50.'//back)
+    call tap%same(words_of(faults), words, 'in the same words for points that run clockwise')
     call build('FAIRED,A,7.'//points//'|.5,0.')
     call tap%same(words_of(faults), '16:1-2 error: the last point is the first again; the '// &
         'outline closes by itself: leave it out|', 'a first point that is given again')
