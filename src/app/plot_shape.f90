@@ -55,7 +55,7 @@ contains
 
     !> The corners of the room that panels take: that of their poles.
     pure subroutine find_hull(panels, low, high)
-        type(panel_type), intent(in) :: panels(:)   !! any
+        type(panel_type), intent(in) :: panels(:)   !! one or more
         real(dp), intent(out) :: low(3)             !! least STA, BL and WL, deck units
         real(dp), intent(out) :: high(3)            !! greatest, deck units
         integer :: i, axis
