@@ -103,6 +103,7 @@ contains
         type(body_type), allocatable :: bodies(:)
         type(cut_type), allocatable :: asked(:)
         type(panel_set_type), allocatable :: sets(:)
+        type(panel_set_type) :: set
         type(panel_type), allocatable :: panels(:)
         integer :: i, outlines
 
@@ -115,7 +116,8 @@ contains
             call add_images(computed(i), panels)
             if (size(computed(i)%body%sections) == 0) cycle
             bodies = [bodies, computed(i)%body]
-            sets = [sets, panel_set_type(computed(i)%panels)]
+            set%panel = computed(i)%panels
+            sets = [sets, set]
         end do
         if (size(bodies) + outlines + size(panels) == 0) return
         call begin_folder(folder, shared_scripts, error)

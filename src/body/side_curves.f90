@@ -25,6 +25,7 @@ contains
         type(side_type), allocatable, intent(out) :: curve(:)       !! whole
         type(error_type), allocatable, intent(out) :: error         !! see above
         type(trace_type), allocatable :: found(:)
+        type(side_type) :: whole
         real(dp) :: ends(2)
         integer :: i
 
@@ -36,7 +37,8 @@ contains
                 if (asked%range%has_from) ends(1) = max(ends(1), to_real(asked%range%from))
                 if (asked%range%has_to) ends(2) = min(ends(2), to_real(asked%range%to))
                 if (ends(1) < ends(2)) then
-                    curve = [line_side(lines(side%line), ends(1), ends(2))]
+                    whole = line_side(lines(side%line), ends(1), ends(2))
+                    curve = [whole]
                 else
                     call fail(error, cause%beyond_lines, 'is nowhere between FROM and TO, or '// &
                         'where the other lines are')

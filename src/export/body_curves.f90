@@ -4,7 +4,7 @@ module export_body_curves
     use base_kinds, only: dp
     use body_body, only: body_type
     use body_line, only: line_type
-    use cut_outline, only: cut_type, outline_type
+    use cut_outline, only: cut_type, has_panels, outline_type
     use cut_plane, only: true_shape
     use export_body_drawing, only: stroke_type
     use export_polyline, only: polyline
@@ -12,7 +12,7 @@ module export_body_curves
     implicit none (type, external)
     private
 
-    public :: all_outlines
+    public :: gather_outlines
     public :: chain_strokes, outline_points, on_paper, body_range, swept_area, mirror_in_plane
 
 contains
@@ -51,13 +51,20 @@ contains
         if (range(1) > range(2)) range = 0.0_dp
     end function body_range
 
-    !> The outlines of a cut, on sections and on panels.
-    pure function all_outlines(cut) result(outlines)
-        type(cut_type), intent(in) :: cut !! any
-        type(outline_type), allocatable :: outlines(:)
-        allocate (outlines, source=cut%outlines)
-        if (allocated(cut%patched)) outlines = [outlines, cut%patched]
-    end function all_outlines
+    !> Gathers the outlines of a cut, on sections and on panels. (Of a function gfortran 12 would
+    !> lose what the outlines hold.)
+    pure subroutine gather_outlines(cut, outlines)
+        type(cut_type), intent(in) :: cut                               !! any
+        type(outline_type), allocatable, intent(out) :: outlines(:)     !! those of sections first
+        integer :: on_sections, on_panels
+
+        on_sections = size(cut%outlines)
+        on_panels = 0
+        if (has_panels(cut)) on_panels = size(cut%patched)
+        allocate (outlines(on_sections + on_panels))
+        outlines(:on_sections) = cut%outlines
+        if (on_panels > 0) outlines(on_sections + 1:) = cut%patched
+    end subroutine gather_outlines
 
     !> STA, BL and WL along an outline, by columns. A station follows its arcs; the points of other
     !> cuts stand as close as they were asked to.

@@ -6,7 +6,7 @@ module export_body_cut
     use base_text, only: to_text
     use cut_outline, only: cut_type, outline_type
     use cut_plane, only: cut_kind, plane_type
-    use export_body_curves, only: all_outlines, mirror_in_plane, on_paper, outline_points
+    use export_body_curves, only: gather_outlines, mirror_in_plane, on_paper, outline_points
     use export_body_drawing, only: drawing_type, mark_of, word_side
     implicit none (type, external)
     private
@@ -29,6 +29,7 @@ contains
         logical, intent(in) :: is_symmetric         !! the body is
         character(*), intent(in) :: heading         !! title of the deck
         character(*), intent(in) :: unit            !! name of its unit
+        type(outline_type), allocatable :: outlines(:)
         real(dp) :: low(2), high(2)
         logical :: is_mirrored
 
@@ -37,14 +38,15 @@ contains
         drawing%view = 'Cut '//to_text(number)//': '//plane_words(cut)
         call name_axes(cut%plane, unit, drawing)
         is_mirrored = is_symmetric .and. is_zero(cut%plane%normal(2))
-        call find_box(shape, is_mirrored, low, high)
+        call gather_outlines(shape, outlines)
+        call find_box(shape, outlines, is_mirrored, low, high)
         if (low(1) > high(1)) return
         call set_box(low, high, drawing)
         call draw_centre_line(cut%plane, drawing)
         if (is_mirrored) call draw_outlines(shape, shape%inside, 'mirror', .true., drawing)
-        if (is_mirrored) call draw_outlines(shape, all_outlines(shape), 'mirror', .true., drawing)
+        if (is_mirrored) call draw_outlines(shape, outlines, 'mirror', .true., drawing)
         call draw_outlines(shape, shape%inside, 'inside', .false., drawing)
-        call draw_outlines(shape, all_outlines(shape), 'outline', .false., drawing)
+        call draw_outlines(shape, outlines, 'outline', .false., drawing)
         call draw_points(cut, drawing)
     end function cut_drawing
 
@@ -120,18 +122,17 @@ contains
     end function axis_name
 
     !> The corners of what is drawn.
-    pure subroutine find_box(cut, is_mirrored, low, high)
-        type(cut_type), intent(in) :: cut           !! the cut
-        logical, intent(in) :: is_mirrored          !! the port half is drawn
-        real(dp), intent(out) :: low(2)             !! deck units; above `high`: nothing there
-        real(dp), intent(out) :: high(2)            !! deck units
-        type(outline_type), allocatable :: outlines(:)
+    pure subroutine find_box(cut, outlines, is_mirrored, low, high)
+        type(cut_type), intent(in) :: cut               !! the cut
+        type(outline_type), intent(in) :: outlines(:)   !! all it has
+        logical, intent(in) :: is_mirrored              !! the port half is drawn
+        real(dp), intent(out) :: low(2)                 !! deck units; above `high`: nothing there
+        real(dp), intent(out) :: high(2)                !! deck units
         real(dp), allocatable :: at(:, :), uv(:, :)
         integer :: i
 
         low = huge(1.0_dp)
         high = -huge(1.0_dp)
-        allocate (outlines, source=all_outlines(cut))
         do i = 1, size(outlines)
             if (size(outlines(i)%points) == 0) cycle
             at = outline_points(outlines(i))
@@ -215,7 +216,8 @@ contains
         integer :: i, k, number, count
 
         number = 0
-        allocate (outlines, source=all_outlines(cut))
+        allocate (outlines(0))
+        call gather_outlines(cut, outlines)
         do i = 1, size(outlines)
             count = size(outlines(i)%points)
             do k = 1, count

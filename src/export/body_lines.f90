@@ -8,7 +8,7 @@ module export_body_lines
     use body_line, only: line_type
     use cut_outline, only: cut_type, outline_type
     use cut_plane, only: cut_kind
-    use export_body_curves, only: all_outlines, body_range, chain_strokes, mirror_in_plane, &
+    use export_body_curves, only: body_range, chain_strokes, gather_outlines, mirror_in_plane, &
         outline_points, swept_area
     use export_body_drawing, only: drawing_type, mark_of, stroke_type
     use export_body_grid, only: draw_block, draw_grid
@@ -53,7 +53,7 @@ contains
         call draw_grid(sheet, cuts, drawing)
         call draw_cuts(sheet, cuts, greatest, is_split, drawing)
         do i = 1, size(bodies)
-            call draw_lines(sheet, bodies(i), drawing)
+            call draw_lines(sheet, bodies(i), body_range(bodies(i:i)), drawing)
         end do
         call draw_block(sheet, heading, unit, drawing)
     end function lines_plan
@@ -83,8 +83,7 @@ contains
             end do
         end do
         do i = 1, size(cuts)
-            if (allocated(outlines)) deallocate (outlines)
-            allocate (outlines, source=all_outlines(cuts(i)))
+            call gather_outlines(cuts(i), outlines)
             do k = 1, size(outlines)
                 at = outline_points(outlines(k))
                 low = min(low, minval(at, dim=2))
@@ -118,8 +117,7 @@ contains
         integer :: i, k
 
         do i = 1, size(cuts)
-            if (allocated(outlines)) deallocate (outlines)
-            allocate (outlines, source=all_outlines(cuts(i)))
+            call gather_outlines(cuts(i), outlines)
             do k = 1, size(outlines)
                 at = outline_points(outlines(k))
                 select case (cuts(i)%plane%kind)
@@ -160,9 +158,10 @@ contains
     end function greatest_station
 
     !> Draws the control lines of a body in profile and plan.
-    pure subroutine draw_lines(sheet, body, drawing)
+    pure subroutine draw_lines(sheet, body, range, drawing)
         type(sheet_type), intent(in) :: sheet           !! where the views stand
         type(body_type), intent(in) :: body             !! finished
+        real(dp), intent(in) :: range(2)                !! its stations, deck units
         type(drawing_type), intent(inout) :: drawing    !! gets them
         type(stroke_type), allocatable :: strokes(:)
         integer :: i, k
@@ -170,14 +169,14 @@ contains
         do i = 1, size(body%lines)
             associate (line => body%lines(i))
                 if (line%has_side) then
-                    strokes = chain_strokes(line%side, body_range([body]))
+                    strokes = chain_strokes(line%side, range)
                     do k = 1, size(strokes)
                         call draw_named('line', strokes(k)%at, name_of(line, k, size(strokes)), &
                             drawing)
                     end do
                 end if
                 if (line%has_plan) then
-                    strokes = chain_strokes(line%plan, body_range([body]))
+                    strokes = chain_strokes(line%plan, range)
                     do k = 1, size(strokes)
                         strokes(k)%at(2, :) = strokes(k)%at(2, :) + sheet%plan_centre
                         call draw_named('line', strokes(k)%at, name_of(line, k, size(strokes)), &

@@ -22,6 +22,7 @@ for deck in tests/fuzz/seeds/*.crd tests/fuzz/found/*.crd cards/arcs.crd cards/b
     clean run --format csv "$deck"
     clean check "$deck"
     for form in dxf step stl pdf; do clean export "$deck" -o "$work/x.$form"; done
+    clean plot "$deck" -o "$work/plots"
     case $deck in *conic* | *closed* | *sae*) clean run --arithmetic s360 "$deck" ;; esac
     case $deck in *sweep* | *grid*) clean sweep "$deck"; clean sweep "$deck" -o "$work/rows" ;; esac
 done
@@ -32,13 +33,20 @@ for deck in tests/fuzz/seeds/quarter.crd tests/fuzz/seeds/duct.crd cards/patch.c
     clean export "$deck" -o "$work/x.dxf" --arcs
     clean export "$deck" -o "$work/x.nc" --arcs
     clean export "$deck" -o "$work/x.svg" --bevel 1. --half
-    clean plot "$deck" -o "$work/plots"
 done
 for deck in tests/fuzz/seeds/audit.crd tests/fuzz/seeds/audit.csv cards/audit-sae700202.crd; do
     for form in listing csv deck; do clean audit --format $form "$deck"; done
     clean check "$deck"
     clean plot "$deck" -o "$work/plots"
 done
+
+# The library in careless hands.
+version=$("$loft" --version)
+cc -std=c99 -g -fsanitize=address,undefined -Isrc/api tests/library/abuse.c "${BUILD:-build}/sanitize/libloft.a" \
+    -lgfortran -lgomp -llapack -lblas -lm -o "$work/abuse" 2> "$work/err" &&
+    (cd "$work" && ./abuse "$ROOT" "${version#loft }") > "$work/out" 2> "$work/err"
+[ $? = 0 ] && ! grep -q 'Sanitizer\|runtime error' "$work/err"
+ok $? "the library, called carelessly: $(grep -c '^ok' "$work/out") checks" "$(grep -v '^ok' "$work/out"; head -40 "$work/err")"
 clean help
 clean --version
 clean run missing.crd
