@@ -49,10 +49,15 @@ contains
         !> Adds the point of a contour that has no curves.
         subroutine touch(contour)
             type(contour_type), intent(in) :: contour !! a point
+            type(entity_type) :: entity
             integer :: pointer
+
             call add_point(file, entry, contour%at, name, pointer)
-            call receipt%add(entity_type(name=shape%name, kind='116 POINT', is_exact=.true., &
-                points=1))
+            entity%name = shape%name
+            entity%kind = '116 POINT'
+            entity%is_exact = .true.
+            entity%points = 1
+            call receipt%add(entity)
         end subroutine touch
 
         !> Adds a curve as what suits it.
