@@ -164,17 +164,17 @@ contains
         class(result_file_type), intent(inout) :: file      !! the file
         type(output_type), intent(inout) :: out             !! as `begin` had it
         type(error_type), allocatable, intent(out) :: error !! see above
-        character(:), allocatable :: name
         integer(c_int) :: status
 
-        name = 'standard output'
-        if (allocated(file%name)) name = file%name
         call out%flush(error)
-        if (allocated(error)) then
-            error%message = name//': '//error%message
-        else if (allocated(file%name)) then
-            call close_whole(file, status)
-            if (status < 0) call fail(error, cause%file_trouble, name//': '//trim(last_error()))
+        if (allocated(file%name)) then
+            if (allocated(error)) then
+                error%message = file%name//': '//error%message
+            else
+                call close_whole(file, status)
+                if (status < 0) call fail(error, cause%file_trouble, &
+                    file%name//': '//trim(last_error()))
+            end if
         end if
         if (allocated(error)) call file%abandon()
     end subroutine finish

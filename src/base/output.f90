@@ -6,7 +6,7 @@ module base_output
     use, intrinsic :: iso_c_binding, only: c_int, c_intptr_t, c_size_t
     use base_error, only: cause, error_type, fail
     use base_kinds, only: i64
-    use base_posix, only: c_write, can_try_again, last_error, to_write
+    use base_posix, only: c_write, can_try_again, last_error, standard_output, to_write
     implicit none (type, external)
     private
 
@@ -95,13 +95,15 @@ contains
     !> Hands everything to the system.
     !>
     !> Fails with `cause%file_trouble` and the system's words where any byte since the start could
-    !> not be written.
+    !> not be written; standard output is named.
     subroutine flush_output(out, error)
         class(output_type), intent(inout) :: out            !! the output
         type(error_type), allocatable, intent(out) :: error !! see above
 
         if (out%descriptor /= memory) call empty(out)
-        if (allocated(out%trouble)) call fail(error, cause%file_trouble, out%trouble)
+        if (.not. allocated(out%trouble)) return
+        call fail(error, cause%file_trouble, out%trouble)
+        if (out%descriptor == standard_output) error%message = 'standard output: '//out%trouble
     end subroutine flush_output
 
     !> What an output in memory has gathered.
