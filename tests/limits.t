@@ -166,6 +166,67 @@ else
     ok $? "decks and folders without permission, $checked of them" "$(grep -A4 '^not ok' forbidden.tap)"
 fi
 
+# --- stacks and threads of any size
+deck=$seeds/conic.crd
+"$LOFT" run --format csv "$deck" > want
+least() {
+    sed 's/STATION.*/STATION,10./' "$seeds/quarter.crd" > small.crd
+    for command in "run --format csv $deck" "run --arithmetic s360 $deck" 'run small.crd' 'export small.crd -o small.step'; do
+        ("$@"; exec "$LOFT" $command) > out 2> err < /dev/null; status=$?
+        [ "$status" = 0 ]; ok $? "$*: loft $command" "$(seen)"
+    done
+}
+if [ "${MODE:-}" != sanitize ] && (ulimit -s 512) 2> /dev/null; then
+    least ulimit -s 512
+    least export OMP_STACKSIZE=512k OMP_NUM_THREADS=2
+fi
+if (ulimit -s 300 && "$LOFT" --version > /dev/null 2>&1; [ $? = 2 ]); then
+    (ulimit -s 300; exec "$LOFT" run -o never "$deck") > out 2> err < /dev/null; status=$?
+    said 2 '^loft: the stack is limited to 300 KiB (ulimit -s); LOFT needs 512$' 'a stack that is too small'
+fi
+for size in 64k 100 1B; do
+    OMP_STACKSIZE=$size "$LOFT" run -o never "$deck" > out 2> err < /dev/null; status=$?
+    said 2 '^loft: OMP_STACKSIZE gives threads stacks of [0-9]* KiB; LOFT needs 512$' "stacks of $size for threads"
+done
+[ ! -e never ]; ok $? 'and nothing is left'
+for number in 100000 2147483647; do
+    OMP_NUM_THREADS=$number "$LOFT" run --format csv "$deck" > out 2> err < /dev/null; status=$?
+    [ "$status" = 0 ] && cmp -s out want; ok $? "$number threads are asked for" "$(seen)"
+done
+
+# --- standard output that is closed is named
+while read -r name command; do
+    "$LOFT" $(to result "$command") "$seeds/$name.crd" > /dev/null 2> err && "$LOFT" $(to result "$command") "$seeds/$name.crd" >&- 2> err
+    status=$?
+    said 2 '^loft: standard output: ' "$command with standard output closed"
+    rm -rf result*
+done << 'END'
+quarter run
+quarter export --format dxf -o @
+sweep sweep -o @
+END
+
+# --- names with control bytes: messages stay one line each, and a terminal is not told anything
+name=$(printf 'a\nloft: b\033[2J')
+loft run "$name"
+[ "$status" = 2 ] && [ "$(cat err)" = 'loft: a?loft: b?[2J: No such file or directory' ]
+ok $? 'a deck that is missing, with control bytes in its name' "$(seen)"
+echo nonsense > "$name"
+for command in run check; do
+    loft $command "$name"
+    [ "$status" = 1 ] && grep -q '^a?loft: b?\[2J:1' err && [ "$(grep -c . err)" -le 4 ]
+    ok $? "$command of a faulty one" "$(seen)"
+done
+loft export "$seeds/quarter.crd" -o "$name.dxf"
+[ "$status" = 0 ] && grep -q '^FILE       a?loft: b?\[2J.dxf$' out; ok $? 'the receipt of a drawing called so' "$(seen)"
+
+# --- time grows with the deck, not with its square
+{ printf 'TITLE,MANY LINES\nUNITS,INCHES\n'
+    for i in $(seq 4000); do printf 'LINE,L%d,SIDE\n-30.,-10.,.114,0.,-7.1,50.,-4.,.0523\n' "$i"; done; } > many.crd
+(ulimit -t 60; exec "$LOFT" run many.crd) > out 2> err < /dev/null; status=$?
+[ "$status" -le 1 ] && [ "$(grep -c '^ *[0-9]*  LINE,L' out)" = 4000 ]
+ok $? 'a listing of 8,000 cards' "$(seen)"
+
 # --- names and titles
 odd="a 'b' \"c\" \$(touch pwned) \`touch pwned\`; touch pwned & é ☃ \\n %s *"
 for deck in conic quarter sweep audit; do

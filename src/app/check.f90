@@ -8,6 +8,7 @@ module app_check
     use base_error, only: error_type
     use base_fault, only: fault_list_type
     use base_output, only: output_type
+    use base_text, only: printable
     use deck_audit, only: audit_deck_type
     use deck_audit_file, only: read_tables
     use deck_conic_card, only: conic_card_type
@@ -40,7 +41,7 @@ contains
             if (is_faulty) exit_status = max(exit_status, status%faulty)
             if (.not. allocated(error)) cycle
             exit_status = status%unusable
-            call messages%line('loft: '//error%message)
+            call messages%line('loft: '//trim(printable(error%message)))
         end do
     end subroutine check_decks
 

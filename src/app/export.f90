@@ -18,6 +18,7 @@ module app_export
     use base_kinds, only: dp
     use base_output, only: output_type
     use base_posix, only: standard_output
+    use base_text, only: printable
     use deck_kind, only: deck_kind_of
     use export_pattern_page, only: page_type
     use export_receipt, only: receipt_type
@@ -202,7 +203,8 @@ contains
         if (.not. allocated(error)) call export%files%begin(name, out, error)
         if (allocated(error)) return
         export%is_loose = export%files%is_device()
-        export%heading%files = export%heading%files//base_name(name)//new_line('a')
+        export%heading%files = export%heading%files// &
+            printable(base_name(name))//new_line('a')
     end subroutine begin_result
 
     !> Writes sheets as files of SVG.
@@ -264,7 +266,6 @@ contains
         call answer%attach(standard_output)
         call print_receipt(export%heading, export%receipt, answer)
         call answer%flush(error)
-        if (allocated(error)) error%message = 'standard output: '//error%message
     end subroutine show_receipt
 
 end module app_export

@@ -12,9 +12,11 @@ program loft
     use app_signals, only: end_run, guard_run
     use app_status, only: status
     use app_sweep, only: sweep_deck
+    use app_threads, only: prepare_threads
     use base_error, only: error_type
     use base_output, only: output_type
     use base_posix, only: standard_error, standard_output
+    use base_text, only: printable
     implicit none (type, external)
 
     type(options_type) :: options
@@ -27,7 +29,8 @@ program loft
     call messages%attach(standard_error)
     call answer%attach(standard_output)
     exit_status = status%done
-    call read_options(command_line(), options, error)
+    call prepare_threads(error)
+    if (.not. allocated(error)) call read_options(command_line(), options, error)
     if (.not. allocated(error)) then
         if (is_csv_by_name(options)) call messages%line('loft: '//options%output// &
             ' gets a listing; --format csv gives comma-separated values')
@@ -52,7 +55,7 @@ program loft
     end if
     if (.not. allocated(error)) call answer%flush(error)
     if (allocated(error)) then
-        call messages%line('loft: '//error%message)
+        call messages%line('loft: '//trim(printable(error%message)))
         exit_status = status%unusable
     end if
     call messages%flush(ignored)

@@ -8,7 +8,7 @@ module report_fault
     use base_fault, only: fault_list_type, fault_type, severity
     use base_kinds, only: i64
     use base_output, only: output_type
-    use base_text, only: row_of, to_text
+    use base_text, only: printable, row_of, to_text
     implicit none (type, external)
     private
 
@@ -42,7 +42,7 @@ contains
         character(:), allocatable :: place
         integer :: last
 
-        place = deck
+        place = printable(deck)
         if (fault%line > 0) place = place//':'//to_text(fault%line)
         if (fault%first > 0) place = place//':'//to_text(fault%first)//'-'//to_text(fault%last)
         call out%line(place//': '//grade(fault%severity)//': '//fault%message)
