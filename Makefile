@@ -31,7 +31,7 @@ LOFT := $(if $(filter release,$(MODE)),$(BUILD),$(B))/loft
 # The library: its interface, which is the number of the shared one, and its files.
 ABI     := $(shell $(AWK) '$$2 == "LOFT_ABI_VERSION" { print $$3 }' src/api/loft.h)
 VERSION := $(shell sed -n "s/.*version = '\(.*\)'/\1/p" src/base/constants.f90)
-LIBLOFT := $(B)/libloft.a $(if $(filter Darwin,$(shell uname)),,$(B)/libloft.so.$(ABI))
+LIBLOFT := $(B)/libloft.a $(if $(filter Darwin,$(shell uname))$(filter sanitize,$(MODE)),,$(B)/libloft.so.$(ABI))
 # The same program for many processes: modules of mpi/ take the place of their twins in src/.
 MPIFC := mpifort
 TWINS := $(sort $(shell find mpi -name '*.f90'))
@@ -59,7 +59,7 @@ PLOTS  := $(BUILD)/plots
 MAKEFLAGS += --no-print-directory
 
 .DELETE_ON_ERROR:
-.PHONY: all debug programs library objects deps deps-test deps-doc doc demo check test soak lint golden book \
+.PHONY: all debug programs library objects deps deps-test deps-doc doc demo check test sanitize soak lint golden book \
     plot pictures bench graph install uninstall clean help
 
 all: $(LOFT)$(if $(MPI),-mpi)       ## builds build/loft (DEBUG=1: build/debug/loft; MPI=1: build/loft-mpi)
@@ -206,6 +206,14 @@ test: $(LOFT) $(if $(HAS_MPI),$(LOFT)-mpi) $(LIBLOFT) $(CHECKS) $(BOOK) ## runs 
 	    $(CHECKS) $(filter-out $(UNJUDGED),$(SCRIPTS))
 	@[ -x $(JUDGES)/bin/python ] || [ $(MODE) != release ] || \
 	    echo "*** JUDGES SKIPPED: no outside program has read an exported file; make deps-test ***"
+
+# All programs and scripts again, watched by the sanitizers: any report ends a program, with status
+# 99. Lost memory is looked for in every run of LOFT, not in tests (tests/support/sanitize.supp).
+sanitize:                           ## runs all tests under the address and undefined-behaviour sanitizers
+	@$(MAKE) MODE=sanitize programs
+	@ASAN_OPTIONS=detect_leaks=1:exitcode=99 UBSAN_OPTIONS=print_stacktrace=1 \
+	    LSAN_OPTIONS=suppressions=$(CURDIR)/tests/support/sanitize.supp:print_suppressions=0 \
+	    $(MAKE) MODE=sanitize test
 
 MINUTES := 60
 SEED    := 1
