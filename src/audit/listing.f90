@@ -122,7 +122,7 @@ contains
         type(output_type), intent(inout) :: out         !! where it goes
         character(:), allocatable :: text
         integer, parameter :: decimals = 6
-        integer :: k
+        integer :: k, count
 
         text = right(trim(parameter%name)//' AT X '//shortest(parameter%quantity%along), &
             name_width)//'  '//fixed(parameter%value, figure_width, decimals)
@@ -132,10 +132,12 @@ contains
         end if
         text = text//fixed(parameter%low, figure_width, decimals)// &
             fixed(parameter%high, figure_width, decimals)
-        do k = 1, min(most_shown, size(parameter%round))
+        count = size(parameter%round)
+        if (count > most_shown + 1) count = most_shown
+        do k = 1, count
             text = text//'  '//trim(parameter%round(k))
         end do
-        if (size(parameter%round) > most_shown) text = text//'  ... '// &
+        if (count < size(parameter%round)) text = text//'  ... '// &
             trim(parameter%round(size(parameter%round)))
         call page%paragraph(out, text)
     end subroutine print_parameter

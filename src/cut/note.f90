@@ -42,7 +42,8 @@ contains
                     if (.not. comes_near(body, section, plane, [max(gaps(k)%from, asked(1)), &
                         min(gaps(k)%to, asked(2))])) cycle
                     call add_note(notes, .true., 'section '//trim(section%name)// &
-                        ' does not exist'//between(gaps(k)%from, gaps(k)%to)//'; '//gaps(k)%reason)
+                        ' does not exist'//between(gaps(k)%from, gaps(k)%to)// &
+                        '; what is said of its SECTION card says why')
                 end do
                 stops = smooth_stops(body, section)
                 do k = 1, size(stops) - 1

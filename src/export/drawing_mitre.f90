@@ -25,6 +25,8 @@ module export_drawing_mitre
     real(dp), parameter :: furthest = 8.0_dp
     !> Step of the parameter over which the pace of a path is measured.
     real(dp), parameter :: pace_step = 1.0e-5_dp
+    !> A path that is shorter than so many thicknesses is a point.
+    real(dp), parameter :: least_pace = 1.0e-3_dp
 
 contains
 
@@ -89,7 +91,7 @@ contains
         real(dp), intent(in) :: noise               !! distance that is but rounding, deck units
         real(dp), intent(inout) :: s                !! parameter: of the end, then of the crossing
         logical, intent(out) :: is_found            !! it crosses there
-        real(dp) :: at(3), way(3), across, move, limit, back
+        real(dp) :: at(3), way(3), across, move, limit, back, rate
         integer :: i
 
         is_found = .false.
@@ -104,7 +106,9 @@ contains
             if (abs(across) < corner) return
             move = -at(2)/across
             if (abs(move) > furthest*path%thickness) return
-            s = s + move/pace(path, [s, s + back])
+            rate = pace(path, [s, s + back])
+            if (rate <= least_pace*path%thickness) return
+            s = s + move/rate
             if ((s - limit)*back < 0.0_dp) return
             is_found = abs(move) <= noise
             if (is_found) return
@@ -118,7 +122,7 @@ contains
         real(dp), intent(in) :: noise               !! distance that is but rounding, deck units
         real(dp), intent(inout) :: s(2)             !! parameters: of the ends, then of the crossing
         logical, intent(out) :: is_found            !! they cross there
-        real(dp) :: apart(3), way(3, 2), turn, move(2), limit(2)
+        real(dp) :: apart(3), way(3, 2), turn, move(2), limit(2), rate(2)
         integer :: i
 
         is_found = .false.
@@ -132,8 +136,9 @@ contains
             if (abs(turn) < corner) return
             move = [cross(apart(:2), way(:2, 2)), cross(apart(:2), way(:2, 1))]/turn
             if (maxval(abs(move)) > furthest*before%thickness) return
-            s(1) = s(1) + move(1)/pace(before, [s(1) - pace_step, s(1)])
-            s(2) = s(2) + move(2)/pace(after, [s(2), s(2) + pace_step])
+            rate = [pace(before, [s(1) - pace_step, s(1)]), pace(after, [s(2), s(2) + pace_step])]
+            if (any(rate <= least_pace*before%thickness)) return
+            s = s + move/rate
             if (s(1) > limit(1) .or. s(2) < limit(2)) return
             is_found = maxval(abs(move)) <= noise
             if (is_found) return
@@ -144,7 +149,7 @@ contains
     pure real(dp) function pace(path, s)
         type(opposite_type), intent(in) :: path     !! an inside
         real(dp), intent(in) :: s(2)                !! from, to
-        pace = max(norm2(path%at(s(2)) - path%at(s(1)))/abs(s(2) - s(1)), tiny(1.0_dp))
+        pace = norm2(path%at(s(2)) - path%at(s(1)))/abs(s(2) - s(1))
     end function pace
 
     !> A vector of unit length; nothing where it is none.

@@ -32,6 +32,12 @@ program test_listing
         '5.,.250,10.,1.000,15.,2.250,20.,4.000|25.,6.250,30.,9.000,35.,12.250|')
     call tap%ok(has('S1 AND S3 TOGETHER:  0.00 WITH 1.00'), &
         'slopes that are both open come in pairs')
+    text = listing_of('AUDIT,TOP,SIDE|0.,5.000,5.,8.852,10.,11.844,15.,14.309,20.,16.400|'// &
+        '25.,18.204,30.,19.777,35.,21.155,40.,22.365,45.,23.426,50.,24.353,55.,25.159|'// &
+        '60.,25.851,65.,26.438,70.,26.926,75.,27.318,80.,27.619,85.,27.832,90.,27.958|'// &
+        '95.,28.000')
+    call tap%ok(has('23.9055  23.9056') .and. .not. has('...'), &
+        'five round numbers stand without a gap')
     call tap%finish()
 
 contains
