@@ -1,7 +1,7 @@
 !> The fewest figures that read back as the same double, written into the columns of a line.
 module base_shortest
     use base_exact, only: is_finite
-    use base_figures, only: put_padded, put_text, put_whole
+    use base_figures, only: put_text, put_whole
     use base_kinds, only: dp, i64
     use base_rounding, only: shortest_figures
     implicit none (type, external)
@@ -101,17 +101,18 @@ contains
         integer, intent(in) :: power        !! power of ten, -999 to 999
         character(*), intent(inout) :: line !! gets it
         integer, intent(inout) :: next      !! the first column; behind the last on return
-        integer(i64) :: size
+        integer :: size
 
         line(next:next) = letter
         line(next + 1:next + 1) = merge('-', '+', power < 0)
-        size = int(abs(power), i64)
+        size = abs(power)
         next = next + 2
         if (size < 100) then
-            call put_padded(size, line(next:next + 1))
+            line(next:next) = achar(iachar('0') + size/10)
+            line(next + 1:next + 1) = achar(iachar('0') + mod(size, 10))
             next = next + 2
         else
-            call put_whole(size, line, next)
+            call put_whole(int(size, i64), line, next)
         end if
     end subroutine put_power
 

@@ -81,17 +81,17 @@ contains
         if (contour%stretch(i)%touches) last = last + 1
         if (i == size(contour%stretch)) last = last + 1
         do while (first <= last)
+            count = int(min(last - first + 1, int(rows_at_once, i64)))
             if (quick%is_usable) then
                 call put_ordinates(contour, i, first, rows%stepped)
                 call find_rows(quick, contour%stretch(i)%rising, rows)
                 call settle(rows, contour%axis, settled)
-                call put_settled(settled, lines)
+                call put_settled(settled, count, lines)
                 if (contour%stretch(i)%touches) then
                     k = contour%stretch(i)%count + 1 - first
                     if (k < rows_at_once) settled%is_sure(k + 1) = .false.
                 end if
             end if
-            count = int(min(last - first + 1, int(rows_at_once, i64)))
             do j = 1, count
                 if (settled%is_sure(j)) cycle
                 lines((j - 1)*len(empty_row) + 1:j*len(empty_row)) = &
@@ -173,15 +173,16 @@ contains
     end subroutine round_figures
 
     !> Writes rows, from their ends: the columns before a figure are the room of the one before it.
-    pure subroutine put_settled(settled, lines)
+    pure subroutine put_settled(settled, count, lines)
         type(settled_type), intent(in) :: settled       !! the rows
+        integer, intent(in) :: count                    !! how many are wanted
         character(*), intent(inout) :: lines            !! gets them, one after the other
         character(*), parameter :: empty_rows = repeat(empty_row, rows_at_once)
         integer :: figure
 
         lines = empty_rows
         do figure = figures, 1, -1
-            call put_column(settled%units(:, figure), decimals(figure), last_column(figure), &
+            call put_column(settled%units(:count, figure), decimals(figure), last_column(figure), &
                 len(empty_row), lines)
         end do
     end subroutine put_settled
