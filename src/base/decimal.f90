@@ -60,14 +60,15 @@ contains
 
     !> Puts start and step on a common power of ten.
     !>
-    !> Fails with `cause%increment` where the step is zero, or where start and step are so far
-    !> apart in size that 30 digits don't hold both.
+    !> Fails with `cause%increment` where the step is zero, or where start and step have so many
+    !> digits between them that a start of 36 and a step of 30 don't hold them: a table of 10**7
+    !> rows stays within the 38 digits of a whole number.
     pure subroutine new_grid(start, step, grid, error)
         type(decimal_type), intent(in) :: start             !! first ordinate, deck units
         type(decimal_type), intent(in) :: step              !! increment, deck units, not zero
         type(grid_type), intent(out) :: grid                !! the stepped ordinates
         type(error_type), allocatable, intent(out) :: error !! see above
-        integer, parameter :: widest = 12
+        integer, parameter :: widest_start = 18, widest_step = 12
 
         if (step%digits == 0) then
             call fail(error, cause%increment, 'the increment is zero')
@@ -75,10 +76,10 @@ contains
         end if
         grid%power = min(start%power, step%power)
         if (start%digits == 0) grid%power = step%power
-        if (step%power - grid%power > widest .or. &
-            (start%digits /= 0 .and. start%power - grid%power > widest)) then
+        if (step%power - grid%power > widest_step .or. &
+            (start%digits /= 0 .and. start%power - grid%power > widest_start)) then
             call fail(error, cause%increment, &
-                'the increment and the first ordinate are too far apart in size to step exactly')
+                'the increment and the first ordinate have too many digits to step exactly')
             return
         end if
         if (start%digits /= 0) then

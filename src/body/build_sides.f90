@@ -113,20 +113,37 @@ contains
     pure subroutine choose(leg, error)
         type(leg_type), intent(inout) :: leg(:)             !! gets what is taken
         type(error_type), allocatable, intent(out) :: error !! see above
-        integer :: i, k, rest, n
+        logical :: is_round
+
+        call take_curves(leg, size(leg), is_round)
+        if (.not. is_round) call fail(error, cause%joint_gap, &
+            'no curves of its sides meet all round')
+    end subroutine choose
+
+    !> Takes a curve of a side that meets the one taken of the next, and so on back to the first
+    !> side, until they go all round.
+    pure recursive subroutine take_curves(leg, place, is_round)
+        type(leg_type), intent(inout) :: leg(:) !! taken behind the place; gets the others
+        integer, intent(in) :: place            !! of the side on the way round, from the last to 0
+        logical, intent(out) :: is_round        !! they go all round
+        integer :: i, k, n
 
         n = size(leg)
-        do k = 0, product([(size(leg(i)%curve), i = 1, n)]) - 1
-            rest = k
-            do i = 1, n
-                leg(i)%taken = 1 + mod(rest, size(leg(i)%curve))
-                rest = rest/size(leg(i)%curve)
-            end do
-            if (all([(is_long(leg(1 + mod(i - 2 + n, n)), leg(i), leg(1 + mod(i, n))), &
-                i = 1, n)])) return
+        if (place == 0) then
+            is_round = all([(is_long(leg(1 + mod(i - 2 + n, n)), leg(i), leg(1 + mod(i, n))), &
+                i = 1, n)])
+            return
+        end if
+        is_round = .false.
+        do k = 1, size(leg(place)%curve)
+            if (place < n) then
+                if (size(leg(place)%meeting(k, leg(place + 1)%taken)%contact) == 0) cycle
+            end if
+            leg(place)%taken = k
+            call take_curves(leg, place - 1, is_round)
+            if (is_round) return
         end do
-        call fail(error, cause%joint_gap, 'no curves of its sides meet all round')
-    end subroutine choose
+    end subroutine take_curves
 
     !> True where the curve taken of a side meets those of its neighbours, not in one point alone.
     pure logical function is_long(before, leg, after)

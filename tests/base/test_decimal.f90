@@ -126,14 +126,14 @@ contains
             call tap%ok(error%cause == cause%increment, 'as an increment')
             call tap%same(error%message, 'the increment is zero', 'in plain words')
         end if
-        call new_grid(decimal_type(1_i64, 13), decimal_type(1_i64, 0), grid, error)
-        call tap%ok(allocated(error), 'a start 13 powers of ten above the step is refused')
-        call new_grid(decimal_type(1_i64, 12), decimal_type(1_i64, 0), grid, error)
-        call tap%ok(.not. allocated(error), '12 are not')
+        call new_grid(decimal_type(1_i64, 19), decimal_type(1_i64, 0), grid, error)
+        call tap%ok(allocated(error), 'a start 19 powers of ten above the step is refused')
+        call new_grid(decimal_type(1_i64, 18), decimal_type(1_i64, 0), grid, error)
+        call tap%ok(.not. allocated(error), '18 are not')
         call new_grid(decimal_type(1_i64, -13), decimal_type(1_i64, 0), grid, error)
         call tap%ok(allocated(error), 'a step 13 powers of ten above the start is refused')
         if (allocated(error)) call tap%same(error%message, &
-            'the increment and the first ordinate are too far apart in size to step exactly', &
+            'the increment and the first ordinate have too many digits to step exactly', &
             'with the reason')
         call new_grid(decimal_type(999999999999999999_i64, 12), &
             decimal_type(-999999999999999999_i64, 0), &
@@ -141,6 +141,11 @@ contains
         call tap%near(grid%ordinate(100000_i64), &
             1.0e30_dp - 1.0e23_dp, &
             spacing(1.0e30_dp), 'eighteen figures and twelve zeros do not overflow')
+        call new_grid(decimal_type(9144_i64, -1), decimal_type(12345678901234567_i64, -17), &
+            grid, error)
+        call tap%ok(.not. allocated(error), 'a step of seventeen decimals is taken')
+        call tap%near(grid%ordinate(100000_i64), 13260.078901234567_dp, 0.0_dp, &
+            'and stepped without a loss')
     end subroutine check_bad_grids
 
     !> The bit pattern of a decimal's double.
