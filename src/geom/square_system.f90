@@ -3,10 +3,6 @@
 !> nobody asks for. Of five equations the driver takes 34,000 instructions, this a quarter of them;
 !> the figures are the same, bit for bit.
 !>
-!> LAPACK scales, eliminates and leads the estimate of the condition. The triangular systems, a
-!> dozen for a solution, are worked here in the order of BLAS's DTRSV: a call of it costs more than
-!> the few operations they have.
-!>
 !> Sources: E. Anderson et al., "LAPACK Users' Guide", 3rd ed., SIAM 1999, DGESVX, DGECON, DGERFS;
 !> N. J. Higham, "FORTRAN codes for estimating the one-norm of a real or complex matrix", ACM
 !> Transactions on Mathematical Software 14 (1988), pp. 381-396, which is DLACN2.
@@ -83,6 +79,33 @@ module geom_square_system
             integer, intent(inout) :: kase          !! 0: done; 1: multiply; 2: by the transpose
             integer, intent(inout) :: isave(3)      !! work
         end subroutine dlacn2
+
+        !> LAPACK's exchange of the rows of a matrix; names and meanings are LAPACK's.
+        pure subroutine dlaswp(n, a, lda, k1, k2, ipiv, incx)
+            import :: dp
+            implicit none (type, external)
+            integer, intent(in) :: n                !! columns
+            integer, intent(in) :: lda              !! leading dimension of a
+            real(dp), intent(inout) :: a(lda, *)    !! matrix
+            integer, intent(in) :: k1               !! the first exchange of ipiv to be done
+            integer, intent(in) :: k2               !! the last
+            integer, intent(in) :: ipiv(*)          !! see DGETF2
+            integer, intent(in) :: incx             !! from one exchange to the next, in ipiv
+        end subroutine dlaswp
+
+        !> BLAS's solution of a triangular system; names and meanings are BLAS's.
+        pure subroutine dtrsv(uplo, trans, diag, n, a, lda, x, incx)
+            import :: dp
+            implicit none (type, external)
+            character, intent(in) :: uplo           !! U: upper, L: lower triangle
+            character, intent(in) :: trans          !! N: as it is, T: transposed
+            character, intent(in) :: diag           !! U: ones on the diagonal, N: as it is
+            integer, intent(in) :: n                !! order
+            integer, intent(in) :: lda              !! leading dimension of a
+            real(dp), intent(in) :: a(lda, *)       !! matrix
+            real(dp), intent(inout) :: x(*)         !! right-hand side, then the solution
+            integer, intent(in) :: incx             !! from one number to the next, in x
+        end subroutine dtrsv
     end interface
 
 contains
@@ -189,7 +212,7 @@ contains
         rest(:n) = b
         last = 3.0_dp
         do step = 0, most_steps
-            call exchange(pivots, rest(:n))
+            call dlaswp(1, rest, most_equations, 1, n, pivots, 1)
             call solve_factored(factors, rest(:n))
             x = x + rest(:n)
             rest(:n) = b
@@ -204,59 +227,21 @@ contains
         end do
     end subroutine refine
 
-    !> Exchanges the rows of a right-hand side as those of the matrix were.
-    pure subroutine exchange(pivots, x)
-        integer, intent(in) :: pivots(:)                !! row i was exchanged with row pivots(i)
-        real(dp), intent(inout), contiguous :: x(:)     !! the right-hand side
-        real(dp) :: kept
-        integer :: i
-
-        do i = 1, size(x)
-            kept = x(i)
-            x(i) = x(pivots(i))
-            x(pivots(i)) = kept
-        end do
-    end subroutine exchange
-
-    !> Solves `L U x = b`, column by column.
+    !> Solves `L U x = b`.
     pure subroutine solve_factored(factors, x)
         real(dp), intent(in) :: factors(most_equations, most_equations) !! L below the diagonal, of
                                                                         !! which it has ones, and U
         real(dp), intent(inout), contiguous :: x(:)                     !! b, then x
-        integer :: i, j, n
-
-        n = size(x)
-        do j = 1, n - 1
-            do i = j + 1, n
-                x(i) = x(i) - x(j)*factors(i, j)
-            end do
-        end do
-        do j = n, 1, -1
-            x(j) = x(j)/factors(j, j)
-            do i = 1, j - 1
-                x(i) = x(i) - x(j)*factors(i, j)
-            end do
-        end do
+        call dtrsv('L', 'N', 'U', size(x), factors, most_equations, x, 1)
+        call dtrsv('U', 'N', 'N', size(x), factors, most_equations, x, 1)
     end subroutine solve_factored
 
-    !> Solves `(L U)**T x = b`, a sum for each number.
+    !> Solves `(L U)**T x = b`.
     pure subroutine solve_transposed(factors, x)
         real(dp), intent(in) :: factors(most_equations, most_equations) !! as `solve_factored`
         real(dp), intent(inout), contiguous :: x(:)                     !! b, then x
-        integer :: i, j, n
-
-        n = size(x)
-        do j = 1, n
-            do i = 1, j - 1
-                x(j) = x(j) - factors(i, j)*x(i)
-            end do
-            x(j) = x(j)/factors(j, j)
-        end do
-        do j = n - 1, 1, -1
-            do i = n, j + 1, -1
-                x(j) = x(j) - factors(i, j)*x(i)
-            end do
-        end do
+        call dtrsv('U', 'T', 'N', size(x), factors, most_equations, x, 1)
+        call dtrsv('L', 'T', 'U', size(x), factors, most_equations, x, 1)
     end subroutine solve_transposed
 
 end module geom_square_system
