@@ -113,7 +113,7 @@ contains
         class(integrand_type), intent(in) :: f !! the function
         real(dp), intent(in) :: from           !! start of the panel
         real(dp), intent(in) :: to             !! end of the panel
-        real(dp) :: value(15), weight(15), half, mean, spread, fine, coarse, rough
+        real(dp) :: value(15), weight(15), half, mean, spread, fine, coarse, rough, share
 
         half = 0.5_dp*(to - from)
         value = values(f, 0.5_dp*(from + to), half)
@@ -123,7 +123,10 @@ contains
         mean = 0.5_dp*fine
         spread = sum(weight*abs(value - mean))
         rough = abs(fine - coarse)
-        if (spread > 0.0_dp) rough = spread*min(1.0_dp, (200.0_dp*rough/spread)**1.5_dp)
+        if (spread > 0.0_dp) then
+            share = 200.0_dp*rough/spread
+            rough = spread*min(1.0_dp, share*sqrt(share))
+        end if
         rough = max(rough, 2.0_dp*ulp*sum(weight*abs(value)))
         panel = panel_type(from, to, half*fine, abs(half)*rough)
     end function measured

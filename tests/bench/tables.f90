@@ -106,7 +106,7 @@ contains
             ' rows. The obvious programs read the same cards and print the same five columns')
         call say('(`tests/bench/tables.f90`, `plain.c`). LOFT also finds every fault of a card,')
         call say('describes each conic, rounds every figure correctly and numbers its pages. All')
-        call say('write a file in /dev/shm; `write alone` writes the bytes of the listing there,')
+        call say('write a new file in /dev/shm; `write alone` writes the bytes of the listing there,')
         call say('from memory. Two threads need two cores that have nothing else to do.')
         call say('')
         call say('| program | seconds | MB | MB/s | million rows/s | times the obvious | '// &
@@ -183,11 +183,13 @@ contains
         close (unit)
     end subroutine make_deck
 
-    !> Runs a command; keeps its time where it is the best, and how much it wrote.
+    !> Runs a command, which writes a new file; keeps its time where it is the best, and how much it
+    !> wrote.
     subroutine take_time(side)
         type(side_type), intent(inout) :: side !! the command
         integer(i64) :: start, finish, rate
         integer :: status
+        call execute_command_line('rm -f '//target_file)
         call system_clock(start, rate)
         call execute_command_line(side%command//' > '//target_file, exitstat=status)
         call system_clock(finish)
