@@ -81,7 +81,7 @@ done << 'END'
 fuselage table run -o table
 fuselage skin.step export -o skin.step
 fuselage skin.stl export -o skin.stl
-sphere frames.pdf export -o frames.pdf
+fuselage frames.pdf export -o frames.pdf
 audit-sae700202 figures audit -o figures
 fuselage pictures plot -o pictures --format png
 END

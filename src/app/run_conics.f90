@@ -1,13 +1,13 @@
-!> A 1970 deck run a few cards at a time, as many as have arrived: threads compute them, and their
-!> tables are printed in the order of the deck before more is read. What is wrong with a card is
-!> reported as it is met; the other cards run.
+!> A 1970 deck run a few cards at a time, as many as have arrived: each thread reads a card and
+!> computes it, and the tables are printed in the order of the deck before LOFT waits for more. What
+!> is wrong with a card is reported as it is met; the other cards run.
 module app_run_conics
     use app_files, only: base_name
     use app_input, only: deck_input_type
     use app_options, only: options_type
     use app_run_card, only: card_result_type, compute_card
     use app_status, only: status
-    use base_error, only: error_type
+    use base_error, only: error_type, fail
     use base_fault, only: fault_list_type
     use base_kinds, only: i64
     use base_memory, only: has_little_memory
@@ -22,23 +22,26 @@ module app_run_conics
 
     public :: run_conics
 
-    !> Cards read before any is computed, at most; as many as a block of the source has.
+    !> Cards of a batch, at most; as many as a block of the source has.
     integer, parameter :: most_cards = 1024
     !> Fewer cards than this are computed by one thread.
     integer, parameter :: least_shared = 8
 
     !> Cards that have arrived.
     type :: batch_type
-        integer :: count = 0                                    !! how many
+        integer :: count = 0                                    !! how many are read
+        integer :: taken = 0                                    !! how many of them by a thread
         type(card_image_type) :: image(most_cards)              !! the cards
         type(fault_list_type) :: faults(most_cards)             !! met before each
         type(fault_list_type) :: last_faults                    !! met behind the last
+        type(error_type), allocatable :: error                  !! the source can't be read
+        logical :: is_whole = .false.                           !! no more can be had at once
         logical :: is_last = .false.                            !! the deck is at its end
         type(card_result_type) :: result(most_cards)            !! what became of them
         integer :: at(most_cards) = 0                           !! of each: which of these
         integer :: spare(most_cards) = 0                        !! those not in use
         integer :: spares = 0                                   !! how many
-        integer :: is_ready(most_cards) = 0                     !! 1: it is computed
+        integer :: is_ready(most_cards + 1) = 0                 !! 1: it is computed
         integer :: printed = 0                                  !! how many are printed
         integer :: printing = 0                                 !! 1: a thread prints
     end type batch_type
@@ -80,54 +83,88 @@ contains
         end do
         if (options%format == 'csv') call print_csv_header(out)
         do
-            call read_batch(run%deck, input%source, batch, error)
-            call run_batch(run, batch, out, messages)
+            call begin_batch(run%deck, input%source, batch)
+            call run_batch(run, input%source, batch, out, messages)
             call report_faults(run, batch%last_faults, messages)
-            if (allocated(error) .or. batch%is_last .or. out%has_failed()) exit
+            if (batch%is_last .or. out%has_failed()) exit
         end do
         exit_status = run%exit_status
-        if (allocated(error)) error%message = input%name//': '//error%message
+        if (allocated(batch%error)) call fail(error, batch%error%cause, &
+            input%name//': '//batch%error%message)
     end subroutine run_conics
 
-    !> Reads cards until no more are at hand; one at least, or the end of the deck.
-    !>
-    !> Fails with `cause%file_trouble` where the deck can't be read; the cards before are there.
-    subroutine read_batch(deck, source, batch, error)
+    !> Reads the first cards of a batch: one, or the end of the deck, and as many as it takes to
+    !> make threads worth their while, where so many are at hand.
+    subroutine begin_batch(deck, source, batch)
         type(conic_deck_type), intent(inout) :: deck        !! the deck
         type(source_type), intent(inout) :: source          !! where its lines come from
-        type(batch_type), intent(inout) :: batch            !! the cards
-        type(error_type), allocatable, intent(out) :: error !! see above
+        type(batch_type), intent(inout) :: batch            !! gets the cards
+
+        batch%count = 0
+        batch%taken = 0
+        batch%printed = 0
+        batch%is_ready = 0
+        batch%is_whole = .false.
+        do while (.not. batch%is_whole .and. batch%count < least_shared)
+            call read_card(deck, source, batch)
+        end do
+    end subroutine begin_batch
+
+    !> Reads a card of a batch. After the last that can be had at once the batch is whole; it is the
+    !> last batch where the deck is at its end, or can't be read.
+    subroutine read_card(deck, source, batch)
+        type(conic_deck_type), intent(inout) :: deck        !! the deck
+        type(source_type), intent(inout) :: source          !! where its lines come from
+        type(batch_type), intent(inout) :: batch            !! gets the card
         type(fault_list_type) :: faults
         integer :: outcome
 
-        batch%count = 0
-        do
-            call deck%next_image(source, batch%image(batch%count + 1), outcome, faults, error)
-            if (allocated(error) .or. outcome == found%finished) exit
+        call deck%next_image(source, batch%image(batch%count + 1), outcome, faults, batch%error)
+        batch%is_last = allocated(batch%error) .or. outcome == found%finished
+        if (batch%is_last) then
+            batch%last_faults = faults
+            batch%is_whole = .true.
+        else
             batch%count = batch%count + 1
             if (faults%count > 0) batch%faults(batch%count) = faults
-            call faults%clear()
-            if (batch%count == most_cards .or. .not. source%has_line()) return
-        end do
-        batch%last_faults = faults
-        batch%is_last = .true.
-    end subroutine read_batch
+            batch%is_whole = batch%count == most_cards .or. .not. source%has_line()
+        end if
+    end subroutine read_card
+
+    !> Takes the next card of a batch for a thread; 0 where there is none.
+    subroutine take_card(deck, source, batch, which)
+        type(conic_deck_type), intent(inout) :: deck        !! the deck
+        type(source_type), intent(inout) :: source          !! where its lines come from
+        type(batch_type), intent(inout) :: batch            !! the cards
+        integer, intent(out) :: which                       !! of them
+
+        which = 0
+        !$omp critical (cards)
+        if (batch%taken == batch%count .and. .not. batch%is_whole) &
+            call read_card(deck, source, batch)
+        if (batch%taken < batch%count) then
+            batch%taken = batch%taken + 1
+            which = batch%taken
+        end if
+        !$omp end critical (cards)
+    end subroutine take_card
 
     !> Computes the cards of a batch, many side by side, and prints them in order. A card that is
     !> ready before its turn is printed by the thread that has finished the card before it, or the
     !> next one that comes; no thread waits for another.
-    subroutine run_batch(run, batch, out, messages)
+    subroutine run_batch(run, source, batch, out, messages)
         type(run_type), intent(inout) :: run            !! the run
+        type(source_type), intent(inout) :: source      !! where more cards come from
         type(batch_type), intent(inout) :: batch        !! the cards; their faults are taken
         type(output_type), intent(inout) :: out         !! the result
         type(output_type), intent(inout) :: messages    !! diagnostics
         integer :: i
 
-        batch%is_ready(:batch%count) = 0
-        batch%printed = 0
-        !$omp parallel do default(none) shared(run, batch, out, messages) schedule(dynamic, 1) &
-        !$omp if (batch%count >= least_shared .and. .not. run%is_confined)
-        do i = 1, batch%count
+        !$omp parallel default(none) shared(run, source, batch, out, messages) private(i) &
+        !$omp if (.not. (batch%is_whole .or. run%is_confined))
+        do
+            call take_card(run%deck, source, batch, i)
+            if (i == 0) exit
             call take_result(batch, batch%at(i))
             associate (it => batch%result(batch%at(i)))
                 call it%faults%clear()
@@ -140,7 +177,7 @@ contains
             !$omp end atomic
             call print_ready(run, batch, out, messages)
         end do
-        !$omp end parallel do
+        !$omp end parallel
         call print_ready(run, batch, out, messages)
     end subroutine run_batch
 
@@ -178,7 +215,7 @@ contains
         batch%printing = 1
         !$omp end atomic
         if (others /= 0) return
-        do while (batch%printed < batch%count)
+        do
             !$omp atomic read acquire
             ready = batch%is_ready(batch%printed + 1)
             !$omp end atomic

@@ -106,8 +106,8 @@ contains
             ' rows. The obvious programs read the same cards and print the same five columns')
         call say('(`tests/bench/tables.f90`, `plain.c`). LOFT also finds every fault of a card,')
         call say('describes each conic, rounds every figure correctly and numbers its pages. All')
-        call say('write a new file in /dev/shm; `write alone` writes the bytes of the listing there,')
-        call say('from memory. Two threads need two cores that have nothing else to do.')
+        call say('write a new file in /dev/shm; `write alone` writes the bytes of the listing')
+        call say('there, from memory. Two threads need two cores that have nothing else to do.')
         call say('')
         call say('| program | seconds | MB | MB/s | million rows/s | times the obvious | '// &
             'times printf | writes |')
