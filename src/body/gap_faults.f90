@@ -25,14 +25,11 @@ contains
         do i = 1, size(body%sections)
             if (is_image(body, i)) cycle
             gaps = section_gaps(body, body%sections(i))
-            do j = 1, size(asked%section)
-                if (asked%section(j)%name /= body%sections(i)%name) cycle
-                do k = 1, size(gaps)
-                    call blame(asked%section(j)%card, 2, 'no conic from STA '// &
-                        compact(gaps(k)%from)//' to '//compact(gaps(k)%to)//': '// &
-                        gaps(k)%reason, faults)
-                end do
-                exit
+            j = findloc(asked%section%name, body%sections(i)%name, dim=1)
+            do k = 1, size(gaps)
+                call blame(asked%section(j)%card, 2, 'no conic from STA '// &
+                    compact(gaps(k)%from)//' to '//compact(gaps(k)%to)//': '//gaps(k)%reason, &
+                    faults)
             end do
         end do
     end subroutine report_gaps

@@ -39,8 +39,6 @@ contains
                     if (gaps(k)%from > asked(2) .or. gaps(k)%to < asked(1)) cycle
                     if (.not. comes_near(body, section, plane, [max(gaps(k)%from, asked(1)), &
                         min(gaps(k)%to, asked(2))])) cycle
-                    if (.not. comes_near(body, section, plane, [max(gaps(k)%from, asked(1)), &
-                        min(gaps(k)%to, asked(2))])) cycle
                     call add_note(notes, .true., 'section '//trim(section%name)// &
                         ' does not exist'//between(gaps(k)%from, gaps(k)%to)// &
                         '; what is said of its SECTION card says why')
